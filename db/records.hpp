@@ -1,0 +1,86 @@
+#pragma once
+// The rows of the store as plain values. Times are UTC, ISO 8601 with Z.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "profiles/map/coordinates.hpp"
+#include "profiles/map/placed_result.hpp"
+#include "profiles/map/profile.hpp"
+#include "profiles/map/zone.hpp"
+#include "solver/section/section_result.hpp"
+
+namespace leda::db {
+
+struct RasterRecord {
+  std::string id;      ///< "dem-" and the first 12 hex digits of the sha256
+  std::string name;    ///< chosen by the user, unique
+  std::string file;    ///< relative to the data folder
+  std::string sha256;
+  int epsg = 0;
+  double cell_x = 0, cell_y = 0;  ///< units of the CRS
+  int width = 0, height = 0;      ///< cells
+  MapBox box{};
+  std::string vertical_unit;      ///< "m" or "ft" or "us-ft"
+  std::string created;
+};
+
+enum class JobState { accepted, running, successful, failed, dismissed };
+
+const char* to_string(JobState state);
+std::optional<JobState> job_state_from(const std::string& text);
+
+struct JobRecord {
+  std::string id;
+  std::string process;  ///< "map-region", "simulate-section", ...
+  std::string name;
+  JobState state = JobState::accepted;
+  std::string message;
+  int progress = 0;  ///< 0 to 100
+  std::string request;          ///< the execute request as sent, JSON
+  std::string idempotency_key;  ///< empty: none
+  std::string created, started, finished, updated;
+};
+
+enum class SectionState {
+  waiting,   ///< to be simulated
+  running,
+  finished,  ///< a result stands
+  left_out,  ///< could not be cut: reason
+  stable,    ///< screened: not simulated
+  failed,    ///< ran and gave no usable result: reason
+  dismissed
+};
+
+const char* to_string(SectionState state);
+std::optional<SectionState> section_state_from(const std::string& text);
+
+struct SectionRecord {
+  std::int64_t id = 0;  ///< given by the store
+  std::string job;
+  int ordinal = 0;      ///< order within the job
+  std::string name;
+  int line = -1;        ///< sections along the same line are neighbours; named lines: -1
+  double order = 0;     ///< position along the line, m
+  MapLine trace;
+  Polyline ground;      ///< empty where left out
+  Point crest, toe;
+  SectionState state = SectionState::waiting;
+  std::string reason;
+  std::string screening;  ///< JSON; empty: not screened
+  std::vector<std::string> warnings;
+  std::string run;        ///< id of the latest run, also its folder under runs/
+  int attempts = 0;
+  std::optional<SectionResult> result;
+  std::optional<PlacedResult> placed;
+};
+
+struct ZoneRecord {
+  std::int64_t id = 0;
+  std::string job;
+  Zone zone;
+};
+
+}  // namespace leda::db

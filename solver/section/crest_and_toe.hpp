@@ -1,0 +1,20 @@
+#pragma once
+// The crest and the toe of a bank, by one documented rule.
+
+#include <optional>
+
+#include "solver/section/geometry.hpp"
+
+namespace leda {
+
+struct CrestAndToe {
+  Point crest;
+  Point toe;
+};
+
+/// Finds the bank of a ground line that would slide: see crest_and_toe.cpp for the rule.
+/// @param ground left to right, at least two points, m
+/// @return nothing where the ground has no bank of at least `least_height_m`
+std::optional<CrestAndToe> find_crest_and_toe(const Polyline& ground, double least_height_m = 2.0);
+
+}  // namespace leda

@@ -1,0 +1,33 @@
+#pragma once
+// The front door of the solver: a section and its settings in, a result out.
+
+#include <functional>
+#include <string>
+
+#include "solver/section/frame.hpp"
+#include "solver/section/run_settings.hpp"
+#include "solver/section/section.hpp"
+#include "solver/section/section_result.hpp"
+
+namespace leda::solver {
+
+struct Progress {
+  double fraction = 0;  ///< of the most the run can take, 0 to 1
+  double time_s = 0;    ///< since softening is on
+  std::string stage;    ///< "initial stress", "undrained", "softening", "toe cut"
+};
+
+/// What a caller may want to hear while a run goes on. Empty members cost nothing.
+struct Listener {
+  std::function<void(const Progress&)> progress;
+  std::function<void(const Frame&)> frame;  ///< first, every frame_interval_s, last
+  std::function<bool()> interrupted;        ///< asked a few times a second; true ends the run
+};
+
+/// Runs one section, serially and with the same bytes every time.
+/// Failure of the run is a status of the result, never an exception.
+/// @pre validate(section, settings) is empty
+SectionResult simulate(const Section& section, const RunSettings& settings,
+                       const Listener& listener = {});
+
+}  // namespace leda::solver
