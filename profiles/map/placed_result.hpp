@@ -12,8 +12,8 @@ namespace leda {
 /// front == toe; one without a result (failed, unstable, left out) has `known` false.
 struct PlacedResult {
   std::string section;
-  int line = 0;          ///< sections of one line are neighbours in `order`; named lines: -1
-  double order = 0;      ///< position along the line, m
+  int line = 0;      ///< sections of one line are neighbours in `order`; named lines: -1
+  double order = 0;  ///< position along the line, m
   bool known = false;
   bool moved = false;
   MapPoint backscarp, crest, toe, front;

@@ -1,6 +1,7 @@
 #pragma once
 // Which sections to cut: named lines, or a spacing along a line. Coordinates in the DEM's CRS.
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,7 +12,9 @@ namespace leda {
 
 struct NamedLine {
   std::string name;
-  MapLine line;  ///< at least two points
+  MapLine line;                                  ///< at least two points
+  std::optional<MapPoint> crest = std::nullopt;  ///< by hand: the nearest point of the line counts
+  std::optional<MapPoint> toe = std::nullopt;    ///< absent: found by find_crest_and_toe
 };
 
 /// Sections perpendicular to a (smoothed) line, a river or a crest, named S001, S002, ...

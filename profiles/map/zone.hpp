@@ -12,12 +12,12 @@ enum class ZoneKind { release, runout };
 
 struct Zone {
   ZoneKind kind = ZoneKind::release;
-  std::vector<MapPolygon> area;        ///< a valid multipolygon
-  std::vector<std::string> sections;   ///< whose results made it
-  double largest_distance_m = 0;       ///< retrogression, or runout
+  std::vector<MapPolygon> area;       ///< a valid multipolygon
+  std::vector<std::string> sections;  ///< whose results made it
+  double largest_distance_m = 0;      ///< retrogression, or runout
   double mean_distance_m = 0;
   std::vector<std::string> warnings;
-  std::string made_by;                 ///< sha256 over what made it
+  std::string made_by;  ///< sha256 over what made it
 };
 
 }  // namespace leda
