@@ -12,9 +12,13 @@ struct CrestAndToe {
   Point toe;
 };
 
+/// The side a bank descends to.
+enum class Facing { either, right, left };
+
 /// Finds the bank of a ground line that would slide: see crest_and_toe.cpp for the rule.
 /// @param ground left to right, at least two points, m
 /// @return nothing where the ground has no bank of at least `least_height_m`
-std::optional<CrestAndToe> find_crest_and_toe(const Polyline& ground, double least_height_m = 2.0);
+std::optional<CrestAndToe> find_crest_and_toe(const Polyline& ground, double least_height_m = 2.0,
+                                              Facing facing = Facing::either);
 
 }  // namespace leda
