@@ -1,0 +1,174 @@
+// Faults of materials: thesis 4.5 (moduli, K0), 2.6 (strength over depth), eqs 4-2 to 4-4.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/section/fault_list.hpp"
+
+namespace leda {
+namespace {
+
+constexpr double kilo = 1000;  // Pa in a kPa, N in a kN
+
+void check_strength_table(const Strength& strength, const std::string& at, FaultList& faults) {
+  const bool depth = strength.by == Strength::By::depth;
+  const std::string table = at + (depth ? "/at_depth_m" : "/at_elevation_m");
+  if (strength.table.empty()) faults.add(table, "has no rows, needs at least one [m, kPa]");
+  for (std::size_t i = 0; i < strength.table.size(); ++i) {
+    const auto& [where, value] = strength.table[i];
+    const std::string row = table + "/" + std::to_string(i);
+    faults.positive(row + "/1", value / kilo, "kPa");
+    if (!faults.within(row + "/0", where, !depth || where >= 0, "a depth of at least 0 m"))
+      continue;
+    if (i > 0 && !(where > strength.table[i - 1][0])) {
+      faults.add(row + "/0", "is " + show(where) + " m, must be greater than the row before it (" +
+                                 show(strength.table[i - 1][0]) + " m)");
+    }
+  }
+}
+
+void check_strength(const Strength& strength, const std::string& at, FaultList& faults) {
+  if (strength.by == Strength::By::constant) {
+    faults.positive(at, strength.constant_Pa / kilo, "kPa");
+  } else {
+    check_strength_table(strength, at, faults);
+  }
+}
+
+/// The smallest peak strength in kPa, or infinity where it is itself at fault: comparing with it
+/// would only repeat that fault.
+double sound_peak_kPa(const Strength& peak) {
+  if (peak.by != Strength::By::constant && peak.table.empty()) return INFINITY;
+  const double smallest = peak.smallest() / kilo;
+  return smallest > 0 ? smallest : INFINITY;
+}
+
+/// One softening law of a material whose smallest peak strength is `peak` kPa.
+struct LawCheck {
+  std::string at;
+  double peak;
+  FaultList& faults;
+
+  bool strength_below_peak(const std::string& key, double pascal) const {
+    const double value = pascal / kilo;
+    if (!faults.positive(at + key, value, "kPa")) return false;
+    if (value <= peak) return true;
+    faults.add(at + key, "is " + show(value) + " kPa, must be at most the peak strength (" +
+                             show(peak) + " kPa where it is smallest)");
+    return false;
+  }
+
+  void operator()(const UrmiSoftening& law) const {
+    faults.positive(at + "/alpha", law.alpha, "");
+    faults.positive(at + "/beta", law.beta, "per unit strain");
+    const bool strain = faults.positive(at + "/residual_strain", law.residual_strain, "");
+    if (law.residual_strength_Pa) {
+      strength_below_peak("/residual_strength_kPa", *law.residual_strength_Pa);
+    }
+    if (strength_below_peak("/remolded_strength_kPa", law.remolded_strength_Pa)) {
+      check_remolded_below_residual(law);
+    }
+    check_remolded_strain(law, strain);
+  }
+
+  void check_remolded_below_residual(const UrmiSoftening& law) const {
+    const double remolded = law.remolded_strength_Pa / kilo;
+    const double residual =
+        law.residual_strength_Pa ? *law.residual_strength_Pa / kilo : 0.095 * peak;
+    if (!(remolded > residual)) return;
+    faults.add(at + "/remolded_strength_kPa",
+               "is " + show(remolded) + " kPa, must be at most the residual strength (" +
+                   show(residual) + " kPa" +
+                   (law.residual_strength_Pa
+                        ? ")"
+                        : ": 0.095 of the smallest peak strength, as residual_strength_kPa is "
+                          "not given)"));
+  }
+
+  void check_remolded_strain(const UrmiSoftening& law, bool residual_strain_is_sound) const {
+    if (law.remolded_strain) {
+      const std::string key = at + "/remolded_strain";
+      if (!faults.positive(key, *law.remolded_strain, "") || !residual_strain_is_sound) return;
+      if (*law.remolded_strain >= law.residual_strain) return;
+      faults.add(key, "is " + show(*law.remolded_strain) + ", must be at least residual_strain (" +
+                          show(law.residual_strain) + ")");
+    } else if (0.13 * peak < 1) {
+      faults.add(at + "/remolded_strain",
+                 "must be given: the default, 0.13 of the peak strength in kPa times "
+                 "residual_strain, is less than residual_strain for a peak strength of " +
+                     show(peak) + " kPa");
+    }
+  }
+
+  void operator()(const EinavRandolphSoftening& law) const {
+    strength_below_peak("/remolded_strength_kPa", law.remolded_strength_Pa);
+    faults.positive(at + "/strain_95", law.strain_95, "");
+  }
+
+  void operator()(const ExponentialSoftening& law) const {
+    strength_below_peak("/remolded_strength_kPa", law.remolded_strength_Pa);
+    faults.positive(at + "/shape_factor", law.shape_factor, "per unit strain");
+  }
+
+  void operator()(const LinearSoftening& law) const {
+    strength_below_peak("/remolded_strength_kPa", law.remolded_strength_Pa);
+    faults.positive(at + "/remolded_strain", law.remolded_strain, "");
+  }
+
+  void operator()(const DeySoftening& law) const {
+    const double remolded = law.remolded_strength_Pa / kilo;
+    const double large = law.large_strain_strength_Pa / kilo;
+    const bool strengths =
+        strength_below_peak("/remolded_strength_kPa", law.remolded_strength_Pa) &&
+        strength_below_peak("/large_strain_strength_kPa", law.large_strain_strength_Pa);
+    if (strengths && large > remolded) {
+      faults.add(at + "/large_strain_strength_kPa",
+                 "is " + show(large) + " kPa, must be at most remolded_strength_kPa (" +
+                     show(remolded) + " kPa)");
+    }
+    const bool strain = faults.positive(at + "/strain_95", law.strain_95, "");
+    if (faults.positive(at + "/large_strain", law.large_strain, "") && strain &&
+        law.large_strain < 2 * law.strain_95) {
+      faults.add(at + "/large_strain", "is " + show(law.large_strain) +
+                                           ", must be at least twice strain_95 (" +
+                                           show(2 * law.strain_95) + ")");
+    }
+  }
+};
+
+void check_material(const Material& m, const std::string& at, FaultList& faults) {
+  const double unit_weight = m.unit_weight / kilo;
+  // The upper bound catches N/m3 given for kN/m3.
+  faults.within(at + "/unit_weight_kN_m3", unit_weight, unit_weight > 0 && unit_weight <= 50,
+                "greater than 0 and at most 50 kN/m3");
+  faults.positive(at + "/shear_modulus_kPa", m.shear_modulus_Pa / kilo, "kPa");
+  faults.within(at + "/poisson_ratio", m.poisson_ratio,
+                m.poisson_ratio >= 0 && m.poisson_ratio < 0.5, "at least 0 and below 0.5");
+  faults.within(at + "/k0", m.k0, m.k0 > 0 && m.k0 <= 10, "greater than 0 and at most 10");
+  check_strength(m.peak_strength, at + "/peak_strength_kPa", faults);
+  if (m.drained) {
+    const double angle = m.drained->friction_angle_deg;
+    const double cohesion = m.drained->cohesion_Pa / kilo;
+    faults.within(at + "/drained/cohesion_kPa", cohesion, cohesion >= 0, "at least 0 kPa");
+    faults.within(at + "/drained/friction_angle_deg", angle, angle >= 0 && angle < 90,
+                  "at least 0 and below 90 degrees");
+  }
+  if (m.softening) {
+    const std::string softening = at + "/softening";
+    std::visit(LawCheck{softening, sound_peak_kPa(m.peak_strength), faults}, m.softening->law);
+    faults.positive(softening + "/reference_size_m", m.softening->reference_size_m, "m");
+  }
+}
+
+}  // namespace
+
+std::vector<Fault> validate_materials(const std::map<std::string, Material>& materials,
+                                      const std::string& at) {
+  FaultList faults;
+  if (materials.empty()) faults.add(at, "is empty, needs at least one material");
+  for (const auto& [name, material] : materials) {
+    check_material(material, at + "/" + pointer_part(name), faults);
+  }
+  return faults.take();
+}
+
+}  // namespace leda

@@ -1,0 +1,25 @@
+#pragma once
+// The parts of validate() that look at the shape of a section.
+
+#include <optional>
+
+#include "solver/section/crest_and_toe.hpp"
+#include "solver/section/fault_list.hpp"
+
+namespace leda {
+
+/// Ground and base. @return whether the other checks may rely on them
+bool check_ground(const Section& section, FaultList& faults);
+
+/// Each layer alone, their order, and their materials.
+void check_layers(const Section& section, FaultList& faults);
+
+/// @pre check_ground
+void check_water_table(const Section& section, FaultList& faults);
+
+/// A crest or toe given by hand lies on the ground; a section without them has a bank.
+/// @return the bank in use, where there is one
+/// @pre check_ground
+std::optional<CrestAndToe> check_bank(const Section& section, FaultList& faults);
+
+}  // namespace leda
