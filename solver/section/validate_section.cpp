@@ -9,7 +9,7 @@ namespace {
 /// A crest or toe typed by hand may be off the ground line by this much, m.
 constexpr double on_ground = 0.05;
 
-std::string index(std::size_t i) { return "/" + std::to_string(i); }
+std::string index(std::size_t i) { return std::string("/").append(std::to_string(i)); }
 
 bool check_line(const Polyline& line, const std::string& at, FaultList& faults) {
   bool sound = true;
