@@ -15,15 +15,15 @@
 namespace leda::db {
 
 struct RasterRecord {
-  std::string id;      ///< "dem-" and the first 12 hex digits of the sha256
-  std::string name;    ///< chosen by the user, unique
-  std::string file;    ///< relative to the data folder
+  std::string id;    ///< "dem-" and the first 12 hex digits of the sha256
+  std::string name;  ///< chosen by the user, unique
+  std::string file;  ///< relative to the data folder
   std::string sha256;
   int epsg = 0;
   double cell_x = 0, cell_y = 0;  ///< units of the CRS
   int width = 0, height = 0;      ///< cells
   MapBox box{};
-  std::string vertical_unit;      ///< "m" or "ft" or "us-ft"
+  std::string vertical_unit;  ///< "m" or "ft" or "us-ft"
   std::string created;
 };
 
@@ -38,14 +38,15 @@ struct JobRecord {
   std::string name;
   JobState state = JobState::accepted;
   std::string message;
-  int progress = 0;  ///< 0 to 100
+  int progress = 0;             ///< 0 to 100
   std::string request;          ///< the execute request as sent, JSON
   std::string idempotency_key;  ///< empty: none
   std::string created, started, finished, updated;
+  std::string raster;  ///< id of the DEM it stands on; empty: none
 };
 
 enum class SectionState {
-  waiting,   ///< to be simulated
+  waiting,  ///< to be simulated
   running,
   finished,  ///< a result stands
   left_out,  ///< could not be cut: reason
@@ -60,21 +61,33 @@ std::optional<SectionState> section_state_from(const std::string& text);
 struct SectionRecord {
   std::int64_t id = 0;  ///< given by the store
   std::string job;
-  int ordinal = 0;      ///< order within the job
+  int ordinal = 0;  ///< order within the job
   std::string name;
-  int line = -1;        ///< sections along the same line are neighbours; named lines: -1
-  double order = 0;     ///< position along the line, m
+  int line = -1;     ///< sections along the same line are neighbours; named lines: -1
+  double order = 0;  ///< position along the line, m
   MapLine trace;
-  Polyline ground;      ///< empty where left out
+  Polyline ground;  ///< empty where left out
   Point crest, toe;
   SectionState state = SectionState::waiting;
   std::string reason;
   std::string screening;  ///< JSON; empty: not screened
   std::vector<std::string> warnings;
-  std::string run;        ///< id of the latest run, also its folder under runs/
+  std::string run;  ///< id of the latest run, also its folder under runs/
   int attempts = 0;
   std::optional<SectionResult> result;
   std::optional<PlacedResult> placed;
+};
+
+/// One try at a section. Every try is kept.
+struct RunRecord {
+  std::string id;  ///< also its folder under runs/
+  std::int64_t section = 0;
+  int attempt = 0;  ///< 1, 2, ...
+  std::string started, finished;
+  /// "result", "unstable", "failed", "interrupted", "dismissed", "superseded" (another run's
+  /// result came first); empty: under way
+  std::string outcome;
+  std::string reason;
 };
 
 struct ZoneRecord {

@@ -2,9 +2,9 @@
 // fields.h5: the particles of a run over time. Layout: db/README.md.
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "solver/section/frame.hpp"
 
@@ -20,15 +20,26 @@ class ResultFileWriter {
   ResultFileWriter(const ResultFileWriter&) = delete;
   ResultFileWriter& operator=(const ResultFileWriter&) = delete;
 
+  /// Throws std::invalid_argument where the frame's arrays differ in length.
   void append(const Frame& frame);
-  void close();
+  void close();  ///< the file stands under its name and is on the disk
 
  private:
   struct File;
   std::unique_ptr<File> file_;
 };
 
-/// @return every frame of a file, in time order
+struct ResultFileOrigin {
+  std::vector<std::string> materials;  ///< in the order Frame::material counts them
+  std::string case_sha256;
+  std::string version;
+};
+
+/// Throws std::runtime_error naming the file and what is wrong with it.
+ResultFileOrigin read_result_file_origin(const std::filesystem::path& file);
+
+/// Every frame of a file, in time order. Throws std::runtime_error naming the file and what is
+/// wrong with it: missing, truncated, damaged (its bytes carry checksums), or of another kind.
 std::vector<Frame> read_result_file(const std::filesystem::path& file);
 
 }  // namespace leda::db

@@ -2,6 +2,7 @@
 // The store: one SQLite file, one writer. Every member is one transaction: it happens whole or
 // not at all. Safe to call from several threads. Throws StoreError when SQLite fails.
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,9 +19,15 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A name, id or idempotency key that stands already.
+class StoreConflict : public StoreError {
+ public:
+  using StoreError::StoreError;
+};
+
 struct JobFilter {
-  std::vector<std::string> processes;  ///< empty: any
-  std::vector<JobState> states;        ///< empty: any
+  std::vector<std::string> processes;    ///< empty: any
+  std::vector<JobState> states;          ///< empty: any
   std::string created_from, created_to;  ///< ISO 8601, empty: open
   int limit = 100;
   int offset = 0;
@@ -29,41 +36,62 @@ struct JobFilter {
 class Store {
  public:
   /// Opens or makes the file, brings it to the newest schema (numbered migrations, WAL).
-  explicit Store(const std::filesystem::path& file);
+  /// @param busy_timeout how long to wait for another program that is writing to the file
+  explicit Store(const std::filesystem::path& file,
+                 std::chrono::milliseconds busy_timeout = std::chrono::seconds(10));
   ~Store();
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
   // Rasters
-  void add_raster(const RasterRecord& raster);  ///< replaces a raster of the same id
+  /// Replaces a raster of the same id; StoreConflict where another one has the name.
+  void add_raster(const RasterRecord& raster);
   std::vector<RasterRecord> rasters() const;
-  std::optional<RasterRecord> raster(const std::string& id_or_name) const;
+  std::optional<RasterRecord> raster(const std::string& id_or_name) const;  ///< the id wins
 
   // Jobs
+  /// StoreConflict where the id or the idempotency key stands already. An empty `created` or
+  /// `updated` becomes now.
   void add_job(const JobRecord& job);
   std::optional<JobRecord> job(const std::string& id) const;
   std::optional<JobRecord> job_by_idempotency_key(const std::string& key) const;
-  std::vector<JobRecord> jobs(const JobFilter& filter) const;
+  std::vector<JobRecord> jobs(const JobFilter& filter) const;  ///< newest first
   int count_jobs(const JobFilter& filter) const;
   std::vector<JobRecord> unfinished_jobs() const;  ///< accepted or running, oldest first
-  void set_job_state(const std::string& id, JobState state, const std::string& message);
+  /// A dismissed job stays dismissed until it is accepted again; false where that kept it.
+  bool set_job_state(const std::string& id, JobState state, const std::string& message);
+  /// Only while the job is accepted or running; later it is ignored.
   void set_job_progress(const std::string& id, int progress, const std::string& message);
 
   // Sections of a job
-  /// Stores the whole layout of a job, replacing what an interrupted earlier try left.
-  void set_sections(const std::string& job, const std::vector<SectionRecord>& sections);
+  /// Stores the whole layout of a job, once: where sections of the job stand already (the server
+  /// was killed and lays it out again) they are kept, with their runs and results, and the answer
+  /// is false. Of each record `id`, `run`, `attempts`, `result` and `placed` are the store's own.
+  bool set_sections(const std::string& job, const std::vector<SectionRecord>& sections);
   std::vector<SectionRecord> sections(const std::string& job) const;  ///< by ordinal
   std::optional<SectionRecord> section(const std::string& job, const std::string& name) const;
-  /// Counts a try and remembers its run folder; state becomes running.
-  void start_run(std::int64_t section, const std::string& run);
-  void set_section_state(std::int64_t section, SectionState state, const std::string& reason);
+  std::optional<SectionRecord> section(std::int64_t section) const;
+  /// Counts a try and remembers its run folder; state becomes running. A try still under way is
+  /// booked as interrupted. False, and nothing changed, where the section is finished or
+  /// dismissed; StoreConflict where the run's id stands already.
+  bool start_run(std::int64_t section, const std::string& run);
+  /// Closes the try under way. A finished section keeps its result and its state, a dismissed one
+  /// stays so until it is set to waiting: false where that kept it.
+  bool set_section_state(std::int64_t section, SectionState state, const std::string& reason);
+  std::vector<RunRecord> runs(std::int64_t section) const;  ///< every try, first to last
   /// Puts back to waiting what was running (the server was killed) and returns how many.
   int requeue_running(const std::string& job);
-  /// One result a section: taking the same run in again changes nothing (returns false).
+  /// One result a section: false, and nothing changed, where this run is in already, the section
+  /// is finished, or it was dismissed. A result makes the section finished, an unstable one makes
+  /// it failed with the result's reason (a later run may then replace it). `result_json` is kept
+  /// as it is. StoreError for an interrupted result or a run of another section.
   bool take_in(std::int64_t section, const std::string& run, const SectionResult& result,
                const PlacedResult& placed, const std::string& result_json);
+  /// The result_json of the section's latest run.
+  std::optional<std::string> result_document(std::int64_t section) const;
 
   // Zones of a job
+  /// Replaces the job's zones. StoreError where a zone names a section the job does not have.
   void set_zones(const std::string& job, const std::vector<Zone>& zones);
   std::vector<ZoneRecord> zones(const std::string& job) const;
 

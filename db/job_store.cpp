@@ -1,0 +1,148 @@
+// Jobs: what was asked, and how far it is.
+
+#include <utility>
+
+#include "db/connection.hpp"
+#include "db/json_text.hpp"
+#include "db/store.hpp"
+
+namespace leda::db {
+
+namespace {
+
+const std::string columns =
+    "SELECT id, process, name, state, message, progress, request, idempotency_key, created, "
+    "started, finished, updated, raster_id FROM jobs ";
+
+// ?1 and ?2 are JSON lists, empty for any; ?3 and ?4 are times, empty for open. Times are compared
+// as times: a bound may come without milliseconds.
+const std::string filtered =
+    "WHERE (?1 = '[]' OR process IN (SELECT value FROM json_each(?1))) "
+    "AND (?2 = '[]' OR state IN (SELECT value FROM json_each(?2))) "
+    "AND (?3 = '' OR julianday(created) >= julianday(?3)) "
+    "AND (?4 = '' OR julianday(created) <= julianday(?4)) ";
+
+JobRecord job_from(Query& row) {
+  return JobRecord{.id = row.text(),
+                   .process = row.text(),
+                   .name = row.text(),
+                   .state = job_state_from(row.text()).value(),
+                   .message = row.text(),
+                   .progress = row.small_integer(),
+                   .request = row.text(),
+                   .idempotency_key = row.text(),
+                   .created = row.text(),
+                   .started = row.text(),
+                   .finished = row.text(),
+                   .updated = row.text(),
+                   .raster = row.text()};
+}
+
+std::optional<std::string> null_if_empty(const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(text);
+}
+
+std::string state_words(const std::vector<JobState>& states) {
+  std::vector<std::string> words;
+  for (const JobState state : states) words.emplace_back(to_string(state));
+  return to_json(words);
+}
+
+std::optional<JobRecord> one_job(Database& database, const std::string& where,
+                                 const std::string& value) {
+  return database.read([&]() -> std::optional<JobRecord> {
+    Query row(database, columns + where);
+    if (!row.with(value).next()) return std::nullopt;
+    return job_from(row);
+  });
+}
+
+}  // namespace
+
+void Store::add_job(const JobRecord& job) {
+  const std::string now = utc_now();
+  connection_->write([&] {
+    Query(*connection_,
+          "INSERT INTO jobs (id, process, name, state, message, progress, request, "
+          "idempotency_key, created, started, finished, updated, raster_id) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .with(job.id, job.process, job.name, to_string(job.state), job.message, job.progress,
+              job.request, null_if_empty(job.idempotency_key),
+              job.created.empty() ? now : job.created, null_if_empty(job.started),
+              null_if_empty(job.finished), job.updated.empty() ? now : job.updated,
+              null_if_empty(job.raster))
+        .run();
+  });
+}
+
+std::optional<JobRecord> Store::job(const std::string& id) const {
+  return one_job(*connection_, "WHERE id = ?", id);
+}
+
+std::optional<JobRecord> Store::job_by_idempotency_key(const std::string& key) const {
+  return one_job(*connection_, "WHERE idempotency_key = ?", key);
+}
+
+std::vector<JobRecord> Store::jobs(const JobFilter& filter) const {
+  return connection_->read([&] {
+    std::vector<JobRecord> found;
+    Query rows(*connection_,
+               columns + filtered + "ORDER BY sequence DESC LIMIT max(?5, 0) OFFSET ?6");
+    rows.with(to_json(filter.processes), state_words(filter.states), filter.created_from,
+              filter.created_to, filter.limit, filter.offset);
+    while (rows.next()) found.push_back(job_from(rows));
+    return found;
+  });
+}
+
+int Store::count_jobs(const JobFilter& filter) const {
+  return connection_->read([&] {
+    Query row(*connection_, "SELECT count(*) FROM jobs " + filtered);
+    row.with(to_json(filter.processes), state_words(filter.states), filter.created_from,
+             filter.created_to);
+    row.next();
+    return row.small_integer();
+  });
+}
+
+std::vector<JobRecord> Store::unfinished_jobs() const {
+  return connection_->read([&] {
+    std::vector<JobRecord> found;
+    Query rows(*connection_, columns + "WHERE state IN ('accepted', 'running') ORDER BY sequence");
+    while (rows.next()) found.push_back(job_from(rows));
+    return found;
+  });
+}
+
+bool Store::set_job_state(const std::string& id, JobState state, const std::string& message) {
+  return connection_->write([&] {
+    // A job taken up again starts and finishes anew; its first start is remembered in the runs.
+    const int changed =
+        Query(*connection_,
+              "UPDATE jobs SET state = ?2, message = ?3, updated = ?4, "
+              "progress = CASE ?2 WHEN 'successful' THEN 100 WHEN 'accepted' THEN 0 "
+              "  ELSE progress END, "
+              "started = CASE ?2 WHEN 'accepted' THEN NULL WHEN 'running' THEN "
+              "  coalesce(started, ?4) ELSE started END, "
+              "finished = CASE WHEN ?2 IN ('successful', 'failed', 'dismissed') THEN ?4 END "
+              "WHERE id = ?1 AND (state <> 'dismissed' OR ?2 IN ('accepted', 'dismissed'))")
+            .with(id, to_string(state), message, utc_now())
+            .run();
+    if (changed > 0) return true;
+    Query row(*connection_, "SELECT 1 FROM jobs WHERE id = ?");
+    if (!row.with(id).next()) throw StoreError("no job \"" + id + "\" in the store");
+    return false;
+  });
+}
+
+void Store::set_job_progress(const std::string& id, int progress, const std::string& message) {
+  connection_->write([&] {
+    Query(*connection_,
+          "UPDATE jobs SET progress = min(max(?2, 0), 100), message = ?3, updated = ?4 "
+          "WHERE id = ?1 AND state IN ('accepted', 'running')")
+        .with(id, progress, message, utc_now())
+        .run();
+  });
+}
+
+}  // namespace leda::db

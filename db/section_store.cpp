@@ -1,0 +1,134 @@
+// Sections: the layout of a job and the state of each of its sections.
+
+#include <utility>
+
+#include "db/connection.hpp"
+#include "db/json_text.hpp"
+#include "db/section_row.hpp"
+#include "db/store.hpp"
+
+namespace leda::db {
+
+const std::string& select_sections() {
+  static const std::string select =
+      "SELECT sections.id, sections.job_id, sections.ordinal, sections.name, sections.line, "
+      "sections.position_m, sections.trace, sections.ground, sections.crest_x_m, "
+      "sections.crest_z_m, sections.toe_x_m, sections.toe_z_m, sections.state, sections.reason, "
+      "sections.screening, sections.warnings, sections.latest_run_id, "
+      "(SELECT count(*) FROM runs WHERE runs.section_id = sections.id), " +
+      result_columns() +
+      " FROM sections LEFT JOIN results ON results.run_id = sections.latest_run_id "
+      "LEFT JOIN placements ON placements.run_id = results.run_id ";
+  return select;
+}
+
+SectionRecord section_from(Query& row) {
+  SectionRecord section{.id = row.integer(),
+                        .job = row.text(),
+                        .ordinal = row.small_integer(),
+                        .name = row.text(),
+                        .line = row.small_integer(),
+                        .order = row.real(),
+                        .trace = map_line_from_json(row.text()),
+                        .ground = polyline_from_json(row.text()),
+                        .crest = {row.real(), row.real()},
+                        .toe = {row.real(), row.real()},
+                        .state = section_state_from(row.text()).value(),
+                        .reason = row.text(),
+                        .screening = row.text(),
+                        .warnings = words_from_json(row.text()),
+                        .run = row.text(),
+                        .attempts = row.small_integer(),
+                        .result = std::nullopt,
+                        .placed = std::nullopt};
+  read_result(row, section);
+  return section;
+}
+
+SectionState state_of_section(Database& database, std::int64_t section) {
+  Query row(database, "SELECT state FROM sections WHERE id = ?");
+  if (!row.with(section).next())
+    throw StoreError("no section " + std::to_string(section) + " in the store");
+  return section_state_from(row.text()).value();
+}
+
+bool Store::set_sections(const std::string& job, const std::vector<SectionRecord>& sections) {
+  return connection_->write([&] {
+    Query standing(*connection_, "SELECT 1 FROM sections WHERE job_id = ? LIMIT 1");
+    if (standing.with(job).next()) return false;
+    for (const SectionRecord& s : sections)
+      Query(*connection_,
+            "INSERT INTO sections (job_id, ordinal, name, line, position_m, trace, ground, "
+            "crest_x_m, crest_z_m, toe_x_m, toe_z_m, state, reason, screening, warnings) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+          .with(job, s.ordinal, s.name, s.line, s.order, to_json(s.trace), to_json(s.ground),
+                s.crest.x, s.crest.z, s.toe.x, s.toe.z, to_string(s.state), s.reason,
+                s.screening.empty() ? std::nullopt : std::optional(s.screening),
+                to_json(s.warnings))
+          .run();
+    return true;
+  });
+}
+
+std::vector<SectionRecord> Store::sections(const std::string& job) const {
+  return connection_->read([&] {
+    std::vector<SectionRecord> all;
+    Query rows(*connection_, select_sections() + "WHERE sections.job_id = ? ORDER BY ordinal");
+    rows.with(job);
+    while (rows.next()) all.push_back(section_from(rows));
+    return all;
+  });
+}
+
+std::optional<SectionRecord> Store::section(const std::string& job, const std::string& name) const {
+  return connection_->read([&]() -> std::optional<SectionRecord> {
+    Query row(*connection_, select_sections() + "WHERE sections.job_id = ? AND sections.name = ?");
+    if (!row.with(job, name).next()) return std::nullopt;
+    return section_from(row);
+  });
+}
+
+std::optional<SectionRecord> Store::section(std::int64_t section) const {
+  return connection_->read([&]() -> std::optional<SectionRecord> {
+    Query row(*connection_, select_sections() + "WHERE sections.id = ?");
+    if (!row.with(section).next()) return std::nullopt;
+    return section_from(row);
+  });
+}
+
+bool Store::set_section_state(std::int64_t section, SectionState state, const std::string& reason) {
+  return connection_->write([&] {
+    const SectionState now = state_of_section(*connection_, section);
+    if (now == SectionState::finished) return false;
+    if (now == SectionState::dismissed && state != SectionState::waiting &&
+        state != SectionState::dismissed)
+      return false;
+    if (state == SectionState::finished)
+      throw StoreError("a section is finished by its result (take_in), not by a word");
+    if (state != SectionState::running) {
+      const bool outcome = state == SectionState::failed || state == SectionState::dismissed;
+      close_run(*connection_, section, outcome ? to_string(state) : "interrupted", reason);
+    }
+    Query(*connection_, "UPDATE sections SET state = ?2, reason = ?3 WHERE id = ?1")
+        .with(section, to_string(state), reason)
+        .run();
+    return true;
+  });
+}
+
+int Store::requeue_running(const std::string& job) {
+  return connection_->write([&] {
+    Query(*connection_,
+          "UPDATE runs SET finished = ?2, outcome = 'interrupted', reason = 'the server stopped' "
+          "WHERE outcome IS NULL AND section_id IN (SELECT id FROM sections WHERE job_id = ?1)")
+        .with(job, utc_now())
+        .run();
+    return Query(*connection_,
+                 "UPDATE sections SET state = 'waiting', reason = '' "
+                 "WHERE job_id = ? AND state = 'running'")
+        .with(job)
+        .run();
+  });
+}
+
+}  // namespace leda::db
