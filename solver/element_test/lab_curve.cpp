@@ -1,0 +1,146 @@
+#include "solver/element_test/lab_curve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <istream>
+#include <string_view>
+
+namespace leda::solver {
+namespace {
+
+constexpr std::size_t most_faults = 20;
+constexpr std::size_t most_rows = 1'000'000;
+
+struct Column {
+  std::string_view name;
+  double to_si;
+};
+
+constexpr std::array strain_columns{Column{"shear_strain", 1}, Column{"shear_strain_percent", .01}};
+constexpr std::array stress_columns{Column{"shear_stress_kPa", 1000}};
+constexpr std::array index_columns{Column{"remolding_index", 1},
+                                   Column{"remolding_index_percent", .01}};
+constexpr std::array energy_columns{Column{"normalized_energy", 1},
+                                    Column{"normalized_energy_percent", .01}};
+
+std::vector<std::string_view> split(std::string_view line) {
+  std::vector<std::string_view> cells;
+  while (true) {
+    const auto comma = line.find(',');
+    std::string_view cell = line.substr(0, comma);
+    const auto first = cell.find_first_not_of(" \t\r");
+    const auto last = cell.find_last_not_of(" \t\r");
+    cells.push_back(first == cell.npos ? std::string_view{} : cell.substr(first, last - first + 1));
+    if (comma == line.npos) return cells;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+std::optional<double> number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
+
+struct Found {
+  std::size_t index;
+  Column column;
+};
+
+template <class Columns>
+std::optional<Found> find(const std::vector<std::string_view>& header, const Columns& columns) {
+  for (const Column& column : columns) {
+    const auto at = std::find(header.begin(), header.end(), column.name);
+    if (at != header.end()) return Found{static_cast<std::size_t>(at - header.begin()), column};
+  }
+  return {};
+}
+
+/// Lines of a file that count, with their numbers.
+class Reader {
+ public:
+  Reader(std::istream& in, std::vector<std::string>& faults) : in_(in), faults_(faults) {}
+
+  bool next() {
+    while (std::getline(in_, text_)) {
+      ++line_;
+      if (line_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
+      if (!text_.empty() && text_[0] != '#' && text_ != "\r") return true;
+    }
+    return false;
+  }
+  std::vector<std::string_view> cells() const { return split(text_); }
+
+  void fault(const std::string& what) {
+    if (faults_.size() < most_faults) {
+      faults_.push_back("line " + std::to_string(line_) + ": " + what);
+    }
+  }
+
+ private:
+  std::istream& in_;
+  std::vector<std::string>& faults_;
+  std::string text_;
+  std::size_t line_ = 0;
+};
+
+double cell_value(Reader& reader, const std::vector<std::string_view>& cells, const Found& found) {
+  const std::string name(found.column.name);
+  if (found.index >= cells.size()) {
+    reader.fault(name + " is missing");
+    return 0;
+  }
+  const auto value = number(cells[found.index]);
+  if (!value) {
+    reader.fault(name + " is \"" + std::string(cells[found.index].substr(0, 40)) +
+                 "\", not a finite number");
+  }
+  return value.value_or(0) * found.column.to_si;
+}
+
+void read_rows(Reader& reader, const Found& x, const Found& y, std::vector<double>& xs,
+               std::vector<double>& ys) {
+  while (reader.next()) {
+    const auto cells = reader.cells();
+    xs.push_back(cell_value(reader, cells, x));
+    ys.push_back(cell_value(reader, cells, y));
+    if (xs.size() > 1 && xs.back() < xs[xs.size() - 2]) {
+      reader.fault(std::string(x.column.name) + " goes back: rows must be in order");
+    }
+    if (ys.back() < 0) reader.fault(std::string(y.column.name) + " is negative");
+    if (xs.size() > most_rows) return reader.fault("more than 1000000 rows");
+  }
+}
+
+}  // namespace
+
+LabFile read_lab_file(std::istream& in) {
+  LabFile file;
+  Reader reader(in, file.faults);
+  if (!reader.next()) {
+    reader.fault("the file is empty: expected a header such as shear_strain,shear_stress_kPa");
+    return file;
+  }
+  const auto header = reader.cells();
+  const auto strain = find(header, strain_columns);
+  const auto stress = find(header, stress_columns);
+  const auto index = find(header, index_columns);
+  const auto energy = find(header, energy_columns);
+  if (strain && stress) {
+    LabCurve& curve = file.stress_strain.emplace();
+    read_rows(reader, *strain, *stress, curve.strain, curve.stress_Pa);
+  } else if (index && energy) {
+    EnergyCurve& curve = file.energy.emplace();
+    read_rows(reader, *energy, *index, curve.normalized_energy, curve.remolding_index);
+  } else {
+    reader.fault(
+        "the header must name shear_strain (or shear_strain_percent) and shear_stress_kPa, or "
+        "normalized_energy and remolding_index (or either with _percent)");
+  }
+  return file;
+}
+
+}  // namespace leda::solver

@@ -1,0 +1,157 @@
+// Stress update of a vector of particles, once for each instruction set: elastic, 3D Tresca,
+// strength by the softening curve of the particle's law, Jaumann rate, plane strain.
+
+#if defined(LEDA_SOLVER_TRESCA_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LEDA_SOLVER_TRESCA_INL
+#undef LEDA_SOLVER_TRESCA_INL
+#else
+#define LEDA_SOLVER_TRESCA_INL
+#endif
+
+#include "hwy/contrib/math/math-inl.h"
+#include "hwy/highway.h"
+#include "solver/law_table.hpp"
+#include "solver/particles.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace leda::solver {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// In-plane components of a symmetric tensor; xz is the tensor component, not the engineering one.
+template <class V>
+struct PlaneStrain {
+  V xx, zz, xz;
+};
+
+/// Reads one column of the law table: a broadcast where all lanes share the row.
+template <class D>
+struct LawRows {
+  D d;
+  hn::Vec<hn::RebindToSigned<D>> rows;
+  std::size_t first;
+  bool same;
+
+  HWY_INLINE hn::Vec<D> operator()(const std::vector<double>& column) const {
+    if (HWY_LIKELY(same)) return hn::Set(d, column[first]);
+    return hn::GatherIndex(d, column.data(), rows);
+  }
+};
+
+template <class D>
+HWY_INLINE LawRows<D> law_rows(D d, const std::int32_t* law) {
+  const auto rows = hn::PromoteTo(hn::RebindToSigned<D>(),
+                                  hn::LoadU(hn::Rebind<std::int32_t, D>(), law));
+  const auto first = hn::Set(hn::RebindToSigned<D>(), law[0]);
+  const bool same = hn::AllTrue(hn::RebindToSigned<D>(), hn::Eq(rows, first));
+  return {d, rows, static_cast<std::size_t>(law[0]), same};
+}
+
+/// s_u at the start of the step: the peak until the first yield, then the curve.
+template <class D>
+HWY_INLINE hn::Vec<D> strength_now(D d, const LawRows<D>& row, const LawTable& laws,
+                                   hn::Vec<D> gamma) {
+  const auto peak = row(laws.peak);
+  const auto yielded = hn::Gt(gamma, hn::Zero(d));
+  if (HWY_LIKELY(hn::AllFalse(d, yielded))) return peak;
+  const auto exponent = hn::Neg(hn::Mul(row(laws.rate), gamma));
+  auto s = hn::MulAdd(row(laws.amplitude), hn::Exp(d, hn::Max(exponent, hn::Set(d, -700.0))),
+                      row(laws.floor));
+  s = hn::Min(s, peak);
+  const auto beyond = hn::Sub(gamma, row(laws.exp_end));
+  const auto line = hn::MulAdd(row(laws.line_slope), beyond, row(laws.line_start));
+  s = hn::IfThenElse(hn::Gt(beyond, hn::Zero(d)), line, s);
+  s = hn::IfThenElse(hn::Ge(gamma, row(laws.line_end)), row(laws.last), s);
+  return hn::IfThenElse(yielded, s, peak);
+}
+
+/// Principal stresses returned to the Tresca surface by closest projection in the elastic
+/// metric (de Souza Neto et al. 2008, 8.2: main plane, left and right corner), mean unchanged.
+template <class D>
+struct TrescaReturn {
+  hn::Vec<D> high, mid, low, plastic_strain;
+};
+
+/// Tresca for high >= mid >= low (trial, Pa), shear strength s and shear modulus g.
+template <class D>
+HWY_INLINE TrescaReturn<D> tresca_return(D d, hn::Vec<D> high, hn::Vec<D> mid, hn::Vec<D> low,
+                                         hn::Vec<D> s, hn::Vec<D> g) {
+  const auto half = hn::Set(d, 0.5), third = hn::Set(d, 1.0 / 3.0);
+  const auto excess = hn::Max(hn::Sub(hn::Sub(high, low), hn::Add(s, s)), hn::Zero(d));
+  const auto h1 = hn::NegMulAdd(half, excess, high), l1 = hn::MulAdd(half, excess, low);
+  const auto sum = hn::Add(hn::Add(high, mid), low);
+  const auto two = hn::Add(s, s), four = hn::Add(two, two);
+  const auto top = hn::Gt(mid, h1), bottom = hn::Lt(mid, l1);  // never both: high - low >= 2 s
+  const auto top_high = hn::Mul(third, hn::Add(sum, two));
+  const auto top_low = hn::Mul(third, hn::Sub(sum, four));
+  const auto bottom_high = hn::Mul(third, hn::Add(sum, four));
+  const auto bottom_low = hn::Mul(third, hn::Sub(sum, two));
+  TrescaReturn<D> r;
+  r.high = hn::IfThenElse(top, top_high, hn::IfThenElse(bottom, bottom_high, h1));
+  r.low = hn::IfThenElse(top, top_low, hn::IfThenElse(bottom, bottom_low, l1));
+  r.mid = hn::IfThenElse(top, top_high, hn::IfThenElse(bottom, bottom_low, mid));
+  const auto dh = hn::Sub(high, r.high), dm = hn::Sub(mid, r.mid), dl = hn::Sub(low, r.low);
+  const auto square = hn::MulAdd(dh, dh, hn::MulAdd(dm, dm, hn::Mul(dl, dl)));
+  // gamma = sqrt(2 e:e) with e = ds / (2 G): the engineering strain in simple shear.
+  r.plastic_strain = hn::Div(hn::Sqrt(hn::Mul(half, square)), g);
+  return r;
+}
+
+/// Stress and plastic strain of the particles i .. i+N after a strain increment and a rotation
+/// `spin` = w_xz dt, w = (dvx/dz - dvz/dx) / 2.
+/// @return work of the mid-step stress per volume, Pa
+template <class D>
+HWY_INLINE hn::Vec<D> update_stress(D d, Particles& p, std::size_t i, const LawTable& laws,
+                                    const PlaneStrain<hn::Vec<D>>& e, hn::Vec<D> spin) {
+  const auto row = law_rows(d, &p.law[i]);
+  const auto g = row(laws.shear), bulk = row(laws.bulk);
+  const auto g2 = hn::Add(g, g), half = hn::Set(d, 0.5);
+  const auto old_xx = hn::LoadU(d, &p.sxx[i]), old_zz = hn::LoadU(d, &p.szz[i]);
+  const auto old_xz = hn::LoadU(d, &p.sxz[i]), old_yy = hn::LoadU(d, &p.syy[i]);
+  const auto lame = hn::NegMulAdd(hn::Set(d, 2.0 / 3.0), g, bulk);
+  const auto pressure = hn::Mul(lame, hn::Add(e.xx, e.zz));
+  const auto turn = hn::Mul(hn::Add(spin, spin), old_xz);
+  auto xx = hn::Add(hn::MulAdd(g2, e.xx, pressure), hn::Add(old_xx, turn));
+  auto zz = hn::Add(hn::MulAdd(g2, e.zz, pressure), hn::Sub(old_zz, turn));
+  auto xz = hn::MulAdd(g2, e.xz, hn::MulAdd(spin, hn::Sub(old_zz, old_xx), old_xz));
+  auto yy = hn::Add(old_yy, pressure);
+
+  const auto gamma = hn::LoadU(d, &p.plastic_strain[i]);
+  const auto s = strength_now(d, row, laws, gamma);
+  const auto centre = hn::Mul(half, hn::Add(xx, zz)), apart = hn::Mul(half, hn::Sub(xx, zz));
+  const auto radius = hn::Sqrt(hn::MulAdd(apart, apart, hn::Mul(xz, xz)));
+  const auto a = hn::Add(centre, radius), b = hn::Sub(centre, radius);
+  const auto high = hn::Max(a, yy), low = hn::Min(b, yy);
+  const auto yields = hn::Gt(hn::Sub(high, low), hn::Add(s, s));
+  if (!hn::AllFalse(d, yields)) {
+    const auto yy_high = hn::Gt(yy, a), yy_low = hn::Lt(yy, b);
+    const auto mid = hn::IfThenElse(yy_high, a, hn::IfThenElse(yy_low, b, yy));
+    const auto r = tresca_return(d, high, mid, low, s, g);
+    const auto new_a = hn::IfThenElse(yy_high, r.mid, r.high);
+    const auto new_b = hn::IfThenElse(yy_low, r.mid, r.low);
+    const auto new_yy = hn::IfThenElse(yy_high, r.high, hn::IfThenElse(yy_low, r.low, r.mid));
+    const auto new_centre = hn::Mul(half, hn::Add(new_a, new_b));
+    const auto new_radius = hn::Mul(half, hn::Sub(new_a, new_b));
+    const auto shrink = hn::Div(new_radius, hn::Max(radius, hn::Set(d, 1e-30)));
+    xx = hn::IfThenElse(yields, hn::MulAdd(apart, shrink, new_centre), xx);
+    zz = hn::IfThenElse(yields, hn::NegMulAdd(apart, shrink, new_centre), zz);
+    xz = hn::IfThenElse(yields, hn::Mul(xz, shrink), xz);
+    yy = hn::IfThenElse(yields, new_yy, yy);
+    const auto more = hn::IfThenElseZero(yields, r.plastic_strain);
+    hn::StoreU(hn::Add(gamma, more), d, &p.plastic_strain[i]);
+  }
+  hn::StoreU(xx, d, &p.sxx[i]);
+  hn::StoreU(zz, d, &p.szz[i]);
+  hn::StoreU(xz, d, &p.sxz[i]);
+  hn::StoreU(yy, d, &p.syy[i]);
+  const auto normal =
+      hn::MulAdd(hn::Add(old_xx, xx), e.xx, hn::Mul(hn::Add(old_zz, zz), e.zz));
+  const auto shear = hn::Mul(hn::Add(old_xz, xz), hn::Add(e.xz, e.xz));
+  return hn::Mul(half, hn::Add(normal, shear));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace leda::solver
+HWY_AFTER_NAMESPACE();
+
+#endif
