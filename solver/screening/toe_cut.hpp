@@ -1,5 +1,5 @@
 #pragma once
-// The section with a vertical face cut at its toe: what an eroding river does.
+// The ground with a vertical face cut at its toe: what an eroding river does.
 
 #include <optional>
 
@@ -8,13 +8,13 @@
 
 namespace leda::solver {
 
-/// Removes all ground in front of a vertical face of the given height above the toe's elevation.
-/// The face stands where the bank is that height above the toe; a height above the bank's is
-/// held to it. Layers given by thickness keep their place in the ground that stays.
-/// @return nothing where the section has no bank
-std::optional<Section> cut_toe(const Section& section, double height_m);
-
 /// The bank of a section: as given, else found.
 std::optional<CrestAndToe> bank_of(const Section& section);
+
+/// The ground after all of it in front of a vertical face and above the toe's elevation is
+/// removed. The face stands where the bank is `height_m` above the toe; a height above the
+/// bank's is held to it.
+/// @return the new ground line, with the face as a vertical step
+Polyline ground_after_toe_cut(const Polyline& ground, const CrestAndToe& bank, double height_m);
 
 }  // namespace leda::solver

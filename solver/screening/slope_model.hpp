@@ -1,0 +1,93 @@
+#pragma once
+// A section resolved for limit equilibrium: what stands above a point, and what strength it has.
+
+#include <vector>
+
+#include "solver/screening/limit_equilibrium.hpp"
+#include "solver/section/section.hpp"
+
+namespace leda::solver {
+
+/// Walks along a line from left to right in constant time a step.
+class LineWalker {
+ public:
+  explicit LineWalker(const Polyline& line) : line_(&line) {}
+
+  /// @pre x is not less than at the last call
+  double at(double x) {
+    const Polyline& line = *line_;
+    while (next_ < line.size() && line[next_].x < x) ++next_;
+    if (next_ == 0) return line.front().z;
+    if (next_ == line.size()) return line.back().z;
+    const Point& a = line[next_ - 1];
+    const Point& b = line[next_];
+    return a.z + (b.z - a.z) * ((x - a.x) / (b.x - a.x));
+  }
+
+ private:
+  const Polyline* line_;
+  std::size_t next_ = 0;
+};
+
+/// One layer with its material's parameters at hand.
+struct Stratum {
+  enum class Bottom { thickness, elevation, line };
+  Bottom kind = Bottom::elevation;
+  double value = 0;  ///< thickness or elevation, m
+  Polyline line;
+  double unit_weight = 0;
+  const Strength* undrained = nullptr;  ///< s_up; unused where drained
+  double cohesion = 0, tan_phi = 0;
+};
+
+/// Strength parameters where a slip surface passes.
+struct Resistance {
+  double cohesion = 0;
+  double tan_phi = 0;
+  double pore_pressure = 0;
+};
+
+/// @pre keep `section` alive as long as the model
+struct SlopeModel {
+  /// @param ground the surface as it is; layers, strengths over depth and water keep to the
+  /// section's own ground, so that a cut does not move them
+  SlopeModel(const Section& section, const Polyline& ground, Drainage drainage);
+
+  Polyline ground;     ///< the surface as it is
+  Polyline reference;  ///< the section's own ground
+  double base = 0;
+  std::vector<Stratum> strata;  ///< top down
+  bool drained = false;
+  bool wet = false;
+  bool water_follows_ground = false;
+  double water_depth = 0;
+  Polyline water;
+  std::vector<double> steps;  ///< x of vertical faces of the ground
+};
+
+/// The vertical through one x, kept up to date while walking rightwards.
+class Column {
+ public:
+  explicit Column(const SlopeModel& model);
+
+  void move_to(double x);
+  double ground() const { return ground_; }
+  double bottom(std::size_t stratum) const { return bottoms_[stratum]; }
+  /// Weight of the ground above z per square metre, Pa.
+  double weight_above(double z) const;
+  Resistance resistance_at(double z) const;
+  /// On the bottom of a stratum: the weaker of the two sides.
+  Resistance resistance_on(std::size_t stratum) const;
+
+ private:
+  std::size_t stratum_at(double z) const;
+  Resistance resistance_in(std::size_t stratum, double z) const;
+
+  const SlopeModel* model_;
+  LineWalker present_, own_, water_;
+  std::vector<LineWalker> lines_;
+  std::vector<double> bottoms_;
+  double ground_ = 0, own_ground_ = 0, water_level_ = 0;
+};
+
+}  // namespace leda::solver
