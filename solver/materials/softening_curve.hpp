@@ -27,8 +27,7 @@ inline double strength(const SofteningCurve& c, double gamma) {
     return std::min(c.peak, c.floor + c.amplitude * std::exp(-c.rate * gamma));
   }
   if (gamma >= c.line_end) return c.last;
-  return c.line_start +
-         (c.last - c.line_start) * (gamma - c.exp_end) / (c.line_end - c.exp_end);
+  return c.line_start + (c.last - c.line_start) * (gamma - c.exp_end) / (c.line_end - c.exp_end);
 }
 
 }  // namespace leda::solver

@@ -40,8 +40,8 @@ struct LawRows {
 
 template <class D>
 HWY_INLINE LawRows<D> law_rows(D d, const std::int32_t* law) {
-  const auto rows = hn::PromoteTo(hn::RebindToSigned<D>(),
-                                  hn::LoadU(hn::Rebind<std::int32_t, D>(), law));
+  const auto rows =
+      hn::PromoteTo(hn::RebindToSigned<D>(), hn::LoadU(hn::Rebind<std::int32_t, D>(), law));
   const auto first = hn::Set(hn::RebindToSigned<D>(), law[0]);
   const bool same = hn::AllTrue(hn::RebindToSigned<D>(), hn::Eq(rows, first));
   return {d, rows, static_cast<std::size_t>(law[0]), same};
@@ -144,8 +144,7 @@ HWY_INLINE hn::Vec<D> update_stress(D d, Particles& p, std::size_t i, const LawT
   hn::StoreU(zz, d, &p.szz[i]);
   hn::StoreU(xz, d, &p.sxz[i]);
   hn::StoreU(yy, d, &p.syy[i]);
-  const auto normal =
-      hn::MulAdd(hn::Add(old_xx, xx), e.xx, hn::Mul(hn::Add(old_zz, zz), e.zz));
+  const auto normal = hn::MulAdd(hn::Add(old_xx, xx), e.xx, hn::Mul(hn::Add(old_zz, zz), e.zz));
   const auto shear = hn::Mul(hn::Add(old_xz, xz), hn::Add(e.xz, e.xz));
   return hn::Mul(half, hn::Add(normal, shear));
 }

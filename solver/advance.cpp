@@ -1,0 +1,66 @@
+#include <cmath>
+
+#include "solver/run_state.hpp"
+#include "solver/sort_particles.hpp"
+#include "solver/time_step.hpp"
+
+namespace leda::solver {
+
+namespace {
+
+constexpr int most_steps_between_sorts = 32;
+constexpr double most_travel = 0.5;  // cells, before the order of the particles is renewed
+constexpr double most_travel_a_step = 0.4;
+constexpr double most_energy_error = 0.1;
+
+std::optional<StageEnd> keep_sorted(RunState& run) {
+  const bool due = run.since_sort == 0 || run.since_sort >= most_steps_between_sorts ||
+                   run.travel > most_travel * run.seeded.grid.h;
+  if (due) {
+    if (!sort_particles(run.seeded.particles, run.seeded.grid)) {
+      return StageEnd{StageEnd::Why::left_domain, "a particle left the model"};
+    }
+    run.since_sort = 0;
+    run.travel = 0;
+  }
+  ++run.since_sort;
+  return {};
+}
+
+// Positions that are held do no work the audit could follow: it looks at moving ground only.
+std::optional<StageEnd> check(const RunState& run, const StepSums& sums, double dt, bool move) {
+  const double all = sums.particles.momentum_x + sums.particles.momentum_z +
+                     sums.particles.stress_work + sums.grid.kinetic_after;
+  if (!std::isfinite(all)) {
+    return StageEnd{StageEnd::Why::unstable, "a velocity or stress is not finite"};
+  }
+  if (run.fastest * dt > most_travel_a_step * run.seeded.grid.h) {
+    return StageEnd{StageEnd::Why::unstable, "a particle moves at " + std::to_string(run.fastest) +
+                                                 " m/s, further than 0.4 cells a step"};
+  }
+  if (move && run.audit.error() > most_energy_error) {
+    return StageEnd{StageEnd::Why::unstable, "the energy audit is off by " +
+                                                 std::to_string(run.audit.error() * 100) +
+                                                 " % (10 % is the most)"};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<StageEnd> advance(RunState& run, const LawTable& laws, double damping, bool move) {
+  if (auto end = keep_sorted(run)) return end;
+  const double dt = time_step(run.seeded.grid.h, laws.stiffest_speed, run.fastest,
+                              run.settings->time_step_factor);
+  const StepSettings settings{dt, gravity, damping, move};
+  const StepSums sums = step(run.seeded.particles, run.seeded.grid, laws, settings);
+  run.audit.add(sums, settings);
+  run.fastest = std::sqrt(sums.particles.fastest_squared);
+  run.travel += run.fastest * dt;
+  run.time += dt;
+  ++run.steps;
+  run.particle_steps += static_cast<double>(run.seeded.particles.count);
+  return check(run, sums, dt, move);
+}
+
+}  // namespace leda::solver

@@ -1,0 +1,58 @@
+#pragma once
+// From particles to what an engineer reads: surface, backscarp, front, slides.
+
+#include <vector>
+
+#include "solver/section/crest_and_toe.hpp"
+#include "solver/section/frame.hpp"
+#include "solver/section/section.hpp"
+#include "solver/seed_particles.hpp"
+
+namespace leda::solver {
+
+/// Elevation of the top particle (plus half its size) of each column of cells; the base where
+/// a column is empty. Section coordinates.
+struct Surface {
+  double first_x = 0;  ///< left edge of the first column, m
+  double cell = 0;
+  std::vector<double> z;
+
+  double left(std::size_t i) const { return first_x + cell * static_cast<double>(i); }
+  double middle(std::size_t i) const { return left(i) + 0.5 * cell; }
+};
+
+Surface surface(const Seeded& seeded);
+
+/// Thresholds of the definitions in solver/README.md, "Retrogression and runout".
+inline constexpr double drop_threshold_m = 0.5;
+inline constexpr double slide_threshold_m = 2.0;
+inline constexpr double slide_pause_s = 0.5;
+
+struct Movement {
+  double retrogression_m = 0;
+  double runout_m = 0;
+  Point backscarp;
+  Point front;
+};
+
+/// Retrogression and runout of the present state against the surface at the start.
+Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe& bank,
+                 const Surface& before);
+
+/// Counts slides while the run goes on: a slide is a growth of the retrogression by more than
+/// slide_threshold_m in all, begun after the backscarp stood still for slide_pause_s.
+class SlideCount {
+ public:
+  void observe(double time_s, double retrogression_m);
+  int count() const { return count_; }
+
+ private:
+  double largest_ = 0, grown_ = 0, last_growth_ = -1e9;
+  bool counted_ = false;
+  int count_ = 0;
+};
+
+/// The particles as they are, in the order of their seeding. Particles cut away are absent.
+Frame frame(const Seeded& seeded, const LawTable& laws, double time_s);
+
+}  // namespace leda::solver

@@ -1,0 +1,48 @@
+#pragma once
+// Everything a run carries from step to step.
+
+#include <string>
+
+#include "solver/audit.hpp"
+#include "solver/observe.hpp"
+#include "solver/section/run_settings.hpp"
+#include "solver/section/section.hpp"
+#include "solver/seed_particles.hpp"
+#include "solver/simulate.hpp"
+
+namespace leda::solver {
+
+struct RunState {
+  const Section* section = nullptr;
+  const RunSettings* settings = nullptr;
+  const Listener* listener = nullptr;
+
+  Seeded seeded;
+  CrestAndToe bank;
+  Surface ground;  ///< tops of the particle columns before anything moved
+  SlideCount slides;
+  EnergyAudit audit;  ///< of the stage under way
+  Balances worst;
+  double numerical_dissipation = 0;
+
+  double time = 0;     ///< since softening is on, s
+  double fastest = 0;  ///< speed of the fastest particle, m/s
+  std::int64_t steps = 0;
+  double particle_steps = 0;
+  double travel = 0;  ///< the most a particle may have moved since the last sort, m
+  int since_sort = 0;
+  std::vector<std::string> warnings;
+};
+
+/// Why a stage ended.
+struct StageEnd {
+  enum class Why { at_rest, time_limit, left_domain, unstable, interrupted };
+  Why why = Why::at_rest;
+  std::string reason;  ///< of left_domain and unstable
+};
+
+/// One step with the time step the present state allows, and the checks that go with it.
+/// @return nothing while the run is sound
+std::optional<StageEnd> advance(RunState& run, const LawTable& laws, double damping, bool move);
+
+}  // namespace leda::solver

@@ -1,0 +1,57 @@
+// Quadratic B-spline weights of a vector of particles, once for each instruction set.
+
+#if defined(LEDA_SOLVER_SPLINE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef LEDA_SOLVER_SPLINE_INL
+#undef LEDA_SOLVER_SPLINE_INL
+#else
+#define LEDA_SOLVER_SPLINE_INL
+#endif
+
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace leda::solver {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Weights and distances (node minus particle, m) to the three nodes on each axis, and the
+/// lowest node of the first column.
+template <class D>
+struct ParticleSpline {
+  hn::Vec<D> wx[3], wz[3], dx[3], dz[3];
+  hn::Vec<hn::RebindToSigned<D>> node;
+};
+
+/// w(r) = 3/4 - r^2 for |r| < 1/2, (3/2 - |r|)^2 / 2 up to 3/2, r in cells (Steffen et al. 2008).
+/// Node 0 of the grid lies one cell below the origin of the positions.
+template <class D>
+HWY_INLINE ParticleSpline<D> particle_spline(D d, const double* x, const double* z, double h,
+                                             std::size_t rows) {
+  ParticleSpline<D> s;
+  const auto half = hn::Set(d, 0.5), one = hn::Set(d, 1.0), side = hn::Set(d, h);
+  const auto per_h = hn::Set(d, 1.0 / h);
+  const auto weights = [&](hn::Vec<D> f, hn::Vec<D>* w, hn::Vec<D>* distance) {
+    const auto a = hn::Sub(hn::Set(d, 1.5), f), b = hn::Sub(f, one), c = hn::Sub(f, half);
+    w[0] = hn::Mul(half, hn::Mul(a, a));
+    w[1] = hn::NegMulAdd(b, b, hn::Set(d, 0.75));
+    w[2] = hn::Mul(half, hn::Mul(c, c));
+    distance[0] = hn::Neg(hn::Mul(f, side));
+    distance[1] = hn::Add(distance[0], side);
+    distance[2] = hn::Add(distance[1], side);
+  };
+  const auto gx = hn::MulAdd(hn::LoadU(d, x), per_h, one);
+  const auto gz = hn::MulAdd(hn::LoadU(d, z), per_h, one);
+  const auto column = hn::Floor(hn::Sub(gx, half)), row = hn::Floor(hn::Sub(gz, half));
+  weights(hn::Sub(gx, column), s.wx, s.dx);
+  weights(hn::Sub(gz, row), s.wz, s.dz);
+  const auto node = hn::MulAdd(column, hn::Set(d, static_cast<double>(rows)), row);
+  s.node =
+      hn::PromoteTo(hn::RebindToSigned<D>(), hn::DemoteTo(hn::Rebind<std::int32_t, D>(), node));
+  return s;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace leda::solver
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,28 @@
+#pragma once
+// Particles to grid and back: quadratic B-splines, APIC (Jiang et al. 2015) in the moving least
+// squares form of Hu et al. 2018 (MLS-MPM), whose internal force and velocity gradient are
+// conjugate: sum_i f_i . v_i = - sum_p V sigma : C.
+
+#include "solver/grid.hpp"
+#include "solver/law_table.hpp"
+#include "solver/particles.hpp"
+
+namespace leda::solver {
+
+/// Adds mass, momentum and internal force of every particle to the nodes it sees.
+/// @pre particles lie where grid.top has rows for them
+void particles_to_grid(const Particles& particles, Grid& grid);
+
+/// What one pass over the particles adds up.
+struct ParticleSums {
+  double stress_work = 0;  ///< J per metre: stress power of the step, mid-step stress
+  double momentum_x = 0, momentum_z = 0;  ///< kg m/s per metre
+  double fastest_squared = 0;             ///< largest |v|^2, m2/s2
+};
+
+/// Takes velocity and its gradient from the grid, updates stress and plastic strain (Jaumann
+/// rate, 3D Tresca), and moves the particles where `move` is set.
+ParticleSums grid_to_particles(Particles& particles, const Grid& grid, const LawTable& laws,
+                               double dt, bool move);
+
+}  // namespace leda::solver
