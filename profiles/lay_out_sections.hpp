@@ -35,10 +35,11 @@ struct Layout {
   std::vector<Fault> faults;
 };
 
-/// Named lines keep their place and are turned round where they run uphill. They must lie on data
-/// over their whole length. Sections along a line stand at spacing/2, 3 spacing/2, ... on it,
-/// perpendicular to the line smoothed over two spacings, the uphill side where the ground is
-/// higher (decided once for each section; where that is unclear, as its neighbours have it).
+/// Named lines keep their place and are turned round where their bank descends towards their
+/// start. They must lie on data over their whole length. Sections along a line are laid across the
+/// line smoothed over two spacings, at spacing/2, 3 spacing/2, ... of it and perpendicular to it.
+/// Uphill is the side where the ground is higher on average; where the two differ by less than
+/// 0.5 m, as the nearest section has it that differs more.
 Layout lay_out_sections(const SectionLayout& layout, const Dem& dem,
                         const LayoutLimits& limits = {});
 

@@ -21,6 +21,9 @@ struct TraceOptions {
 std::variant<Profile, LeftOut> trace_profile(const LaidSection& section, const Dem& dem,
                                              const TraceOptions& options = {});
 
+/// Ground along a trace at every half cell, x in metres from its start; only where there is data.
+Polyline sample_ground(const MapLine& trace, const Dem& dem);
+
 /// Keeps the fewest points of a line so that no dropped point lies further than `tolerance_m`
 /// above or below it (Douglas and Peucker 1973, with vertical distances).
 Polyline simplify(const Polyline& line, double tolerance_m);

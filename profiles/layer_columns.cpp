@@ -1,0 +1,100 @@
+#include "profiles/layer_columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+
+namespace leda::profiles {
+namespace {
+
+void set(OGRFeature& feature, int field, const std::string& value) {
+  if (!value.empty()) feature.SetField(field, value.c_str());
+}
+
+void set(OGRFeature& feature, int field, double value) { feature.SetField(field, value); }
+void set(OGRFeature& feature, int field, int value) { feature.SetField(field, value); }
+
+template <class Value>
+void set(OGRFeature& feature, int field, const std::optional<Value>& value) {
+  if (value) set(feature, field, *value);
+}
+
+std::string joined(const std::vector<std::string>& texts, const char* between) {
+  return fmt::format("{}", fmt::join(texts, between));
+}
+
+// A column whose value a function gives.
+template <class Row, class Get>
+Column<Row> column(const char* name, const char* short_name, OGRFieldType type, Get get) {
+  return {name, short_name, type,
+          [get](OGRFeature& feature, int field, const Row& row) { set(feature, field, get(row)); }};
+}
+
+template <class Row>
+std::vector<Column<Row>> origin_columns(const RegionLayers& layers) {
+  return {column<Row>("region", "region", OFTString, [n = layers.name](const Row&) { return n; }),
+          column<Row>("job", "job", OFTString, [j = layers.job](const Row&) { return j; })};
+}
+
+}  // namespace
+
+std::vector<Column<SectionFeature>> section_columns(const RegionLayers& layers) {
+  using S = SectionFeature;
+  auto columns = origin_columns<S>(layers);
+  const auto add = [&](const char* name, const char* short_name, OGRFieldType type, auto get) {
+    columns.push_back(column<S>(name, short_name, type, get));
+  };
+  add("name", "name", OFTString, [](const S& s) { return s.name; });
+  add("line", "line", OFTInteger, [](const S& s) { return s.line; });
+  add("order_m", "order_m", OFTReal, [](const S& s) { return s.order; });
+  add("leda_status", "leda_stat", OFTString, [](const S& s) { return s.status; });
+  add("leda_decision", "leda_decis", OFTString, [](const S& s) { return s.decision; });
+  add("leda_reason", "leda_reas", OFTString, [](const S& s) { return s.reason; });
+  add("leda_retrogression_m", "leda_ret_m", OFTReal, [](const S& s) { return s.retrogression_m; });
+  add("leda_runout_m", "leda_run_m", OFTReal, [](const S& s) { return s.runout_m; });
+  add("leda_runout_from_crest_m", "leda_rfc_m", OFTReal,
+      [](const S& s) { return s.runout_from_crest_m; });
+  add("leda_slides", "leda_slid", OFTInteger, [](const S& s) { return s.slides; });
+  add("leda_simulated_s", "leda_sim_s", OFTReal, [](const S& s) { return s.simulated_s; });
+  add("leda_run_time_s", "leda_rt_s", OFTReal, [](const S& s) { return s.run_time_s; });
+  add("leda_warnings", "leda_warn", OFTString, [](const S& s) { return joined(s.warnings, "; "); });
+  add("leda_made_by", "leda_hash", OFTString, [](const S& s) { return s.made_by; });
+  return columns;
+}
+
+std::vector<Column<ProfilePoint>> profile_columns(const RegionLayers& layers) {
+  using P = ProfilePoint;
+  auto columns = origin_columns<P>(layers);
+  columns.push_back(
+      column<P>("section", "section", OFTString, [](const P& p) { return p.section->name; }));
+  columns.push_back(
+      column<P>("stage", "stage", OFTString, [](const P& p) { return std::string(p.stage); }));
+  columns.push_back(column<P>("x_m", "x_m", OFTReal, [](const P& p) { return p.x_m; }));
+  columns.push_back(
+      column<P>("elevation_m", "elev_m", OFTReal, [](const P& p) { return p.elevation_m; }));
+  return columns;
+}
+
+std::vector<Column<ZoneRow>> zone_columns(const RegionLayers& layers) {
+  using Z = ZoneRow;
+  auto columns = origin_columns<Z>(layers);
+  const auto add = [&](const char* name, const char* short_name, OGRFieldType type, auto get) {
+    columns.push_back(column<Z>(name, short_name, type, get));
+  };
+  add("leda_sections", "leda_sects", OFTString,
+      [](const Z& z) { return joined(z.zone->sections, ", "); });
+  add("leda_section_count", "leda_count", OFTInteger,
+      [](const Z& z) { return static_cast<int>(z.zone->sections.size()); });
+  add("leda_largest_distance_m", "leda_max_m", OFTReal,
+      [](const Z& z) { return z.zone->largest_distance_m; });
+  add("leda_mean_distance_m", "leda_avg_m", OFTReal,
+      [](const Z& z) { return z.zone->mean_distance_m; });
+  add("leda_area_m2", "leda_area", OFTReal, [](const Z& z) { return z.area_m2; });
+  add("leda_warnings", "leda_warn", OFTString,
+      [](const Z& z) { return joined(z.zone->warnings, "; "); });
+  add("leda_made_by", "leda_hash", OFTString, [](const Z& z) { return z.zone->made_by; });
+  return columns;
+}
+
+}  // namespace leda::profiles
