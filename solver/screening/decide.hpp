@@ -18,14 +18,14 @@ enum class Decision { simulate, stable };
 const char* to_string(Decision decision);
 
 /// How far the inputs of a section may be from the truth on the bad side, and how far from 1 a
-/// factor must then still be. Values and their reasons: solver/screening/README.md.
+/// factor must then still be. Where the values come from: solver/screening/README.md.
 struct ScreeningMargins {
   double strength = 0.10;            ///< share by which peak strengths may be too high
   double unit_weight = 0.03;         ///< share by which unit weights may be too low
-  double water_table_m = 1.0;        ///< by which the water may stand lower (more shear at rest)
-  double factor = 0.15;              ///< what the worst factor must be above 1
-  double toe_cut_m = 3.0;            ///< cut looked at where the case asks for none...
-  double toe_cut_share = 1.0 / 3.0;  ///< ...but no more than this share of the bank
+  double water_table_m = 1.0;        ///< by which the water may stand lower
+  double factor = 0.15;              ///< what a factor for these worst inputs must be above 1
+  double toe_cut_m = 3.0;            ///< the cut looked at where the case asks for none, ...
+  double toe_cut_share = 1.0 / 3.0;  ///< ... but no more than this share of the bank
 };
 
 struct ScreeningResult {
@@ -36,24 +36,23 @@ struct ScreeningResult {
   double toe_cut_m = 0;                 ///< height of the cut looked at; 0: none
   std::optional<double> worst_intact;   ///< undrained Bishop for the worst inputs
   std::optional<double> worst_toe_cut;  ///< the same with the toe cut
-  std::optional<double>
-      worst_at_rest;  ///< s_u over the shear stress of the K0 state, softening ground
+  std::optional<double> worst_at_rest;  ///< factor_at_rest for the worst inputs
   FactorsOfSafety drained, undrained, undrained_toe_cut;
   Analytics analytics;
 };
 
-/// Screens one section: cheap (milliseconds), never throws on a valid section.
+/// Screens one section: every number, in tens of milliseconds. Never throws on a valid section.
 /// @pre validate(section, settings) is empty
 ScreeningResult screen(const Section& section, const RunSettings& settings,
                        const ScreeningMargins& margins = {});
 
-/// The decision alone, without Spencer, Morgenstern-Price, drained factors and analytics: what
-/// the regional run needs first.
+/// The decision alone, as fast as it can be had: no drained factors, no analytics, of the
+/// undrained factors Bishop's only, and none that the decision does not need.
 ScreeningResult screen_quickly(const Section& section, const RunSettings& settings,
                                const ScreeningMargins& margins = {});
 
-/// Screens a site: its analytics, and the decision for a plane bank of its height and angle on a
-/// firm base 5 m below the toe, water at the ground.
+/// Screens a site: its analytics, and factors and decision for the section that section_of makes
+/// of it (none without a slope angle: then the decision is to simulate).
 ScreeningResult screen_site(const Site& site, const ScreeningMargins& margins = {});
 
 }  // namespace leda::solver

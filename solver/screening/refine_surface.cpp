@@ -118,7 +118,9 @@ FoundSurface refine(const SlopeModel& model, const GroundPath& path, const Found
   FoundSurface found = descent.from(flattened_until_solved(model, path, start, method));
   // A second simplex, started anew, leaves the corners of the ground where the first one stuck.
   found = descent.from(found);
-  found.factor = factor_of(model, surface_of(path, found.at), method, final_slices);
+  const double exact = factor_of(model, surface_of(path, found.at), method, final_slices);
+  // With more slices the method may fail where the arc just touches its floor.
+  if (exact < none) found.factor = exact;
   return found;
 }
 

@@ -15,20 +15,14 @@ Point between(const Point& a, const Point& b, double z) {
   return {a.x + (b.x - a.x) * (z - a.z) / (b.z - a.z), z};
 }
 
-/// Index of the first point right of the crest that lies at or below z.
-std::size_t first_at_or_below(const Polyline& ground, double crest_x, double z) {
-  std::size_t i = 0;
-  while (i < ground.size() && (ground[i].x <= crest_x || ground[i].z > z)) ++i;
-  return i;
-}
-
-/// The line held to at most `top` from index `from` on, with the points where it crosses added.
-void append_lowered(Polyline& out, const Polyline& ground, std::size_t from, double top) {
+/// The pieces of ground between the face and the toe: held to the toe's elevation.
+void append_lowered(Polyline& out, const Polyline& ground, std::size_t from, const Point& toe) {
   for (std::size_t i = from; i < ground.size(); ++i) {
-    const Point& a = ground[i - 1];
+    const Point& a = i == from ? out.back() : ground[i - 1];
     const Point& b = ground[i];
-    if ((a.z > top) != (b.z > top)) out.push_back(between(a, b, top));
-    out.push_back({b.x, std::min(b.z, top)});
+    const bool in_front = b.x <= toe.x;
+    if (in_front && (a.z > toe.z) != (b.z > toe.z)) out.push_back(between(a, b, toe.z));
+    out.push_back({b.x, in_front ? std::min(b.z, toe.z) : b.z});
   }
 }
 
@@ -36,15 +30,21 @@ void append_lowered(Polyline& out, const Polyline& ground, std::size_t from, dou
 Polyline cut_rightwards(const Polyline& ground, const Point& crest, const Point& toe,
                         double height) {
   const double top = toe.z + std::min(height, crest.z - toe.z);
-  const std::size_t below = first_at_or_below(ground, crest.x, top);
-  if (below == 0 || below == ground.size()) return ground;
-  const Point& above = ground[below - 1];
-  const Point face = above.z > top ? between(above, ground[below], top) : ground[below];
-  Polyline cut(ground.begin(), ground.begin() + static_cast<std::ptrdiff_t>(below));
+  // From the toe up to the first ground that is high enough: the piece that holds the face.
+  std::size_t front = ground.size();
+  for (std::size_t i = ground.size() - 1; i > 0; --i) {
+    if (ground[i - 1].x > toe.x || ground[i - 1].z < top) continue;
+    front = i;
+    break;
+  }
+  if (front == ground.size()) return ground;
+  const Point& above = ground[front - 1];
+  const Point& below = ground[front];
+  const Point face = above.z > top && below.z < top ? between(above, below, top) : above;
+  Polyline cut(ground.begin(), ground.begin() + static_cast<std::ptrdiff_t>(front));
   cut.push_back(face);
   cut.push_back({face.x, toe.z});
-  append_lowered(cut, ground, below, toe.z);
-  std::erase_if(cut, [&](const Point& p) { return p.x < face.x && p.z < toe.z && p.x > crest.x; });
+  append_lowered(cut, ground, front, toe);
   const auto repeated = std::unique(cut.begin(), cut.end());
   cut.erase(repeated, cut.end());
   return cut;
