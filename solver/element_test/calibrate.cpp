@@ -9,8 +9,6 @@
 namespace leda::solver {
 namespace {
 
-bool has_end(const SofteningCurve& c) { return c.line_end < 1e29; }
-
 double total(const SofteningCurve& c) { return has_end(c) ? dissipation(c, c.line_end) : 0; }
 
 /// The law in a cell of `scale` times the specimen. The one rule of scaling is softening_curve().

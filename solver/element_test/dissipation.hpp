@@ -6,6 +6,9 @@
 
 namespace leda::solver {
 
+/// Whether the law reaches its last strength: an endless exponential does not.
+inline bool has_end(const SofteningCurve& curve) { return curve.line_end < 1e20; }
+
 /// Area under the curve from zero to a plastic strain, in closed form.
 /// @param strain >= 0, fraction
 double dissipation(const SofteningCurve& curve, double strain);

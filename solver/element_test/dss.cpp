@@ -12,8 +12,7 @@ constexpr int samples_of_decay = 400;
 constexpr int samples_of_line = 50;
 
 double end_of(const SofteningCurve& c, double shear_modulus_Pa) {
-  const bool endless = c.line_end >= 1e29;
-  const double plastic = !endless ? c.line_end : c.rate > 0 ? std::log(1e4) / c.rate : 0;
+  const double plastic = has_end(c) ? c.line_end : c.rate > 0 ? std::log(1e4) / c.rate : 0;
   // A law that never changes still deserves a plateau as long as four times its elastic part.
   return std::max(1.05 * plastic, 5 * c.peak / shear_modulus_Pa);
 }
