@@ -16,9 +16,11 @@ std::string text_of(const json& value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-json parsed(const std::string& text) {
+/// What `convert` makes of the parsed text; text that is not as it was written is a StoreError.
+template <class Convert>
+auto read(const std::string& text, Convert convert) {
   try {
-    return json::parse(text);
+    return convert(json::parse(text));
   } catch (const json::exception& error) {
     throw StoreError(std::string("the store holds damaged JSON text: ") + error.what());
   }
@@ -65,25 +67,27 @@ std::string to_json(const std::vector<std::string>& words) { return text_of(json
 
 Polyline polyline_from_json(const std::string& text) {
   Polyline line;
-  for (const MapPoint& p : ring_from_json(parsed(text))) line.push_back({p.x, p.y});
+  for (const MapPoint& p : map_line_from_json(text)) line.push_back({p.x, p.y});
   return line;
 }
 
-MapLine map_line_from_json(const std::string& text) { return ring_from_json(parsed(text)); }
+MapLine map_line_from_json(const std::string& text) { return read(text, ring_from_json); }
 
 std::vector<MapPolygon> area_from_json(const std::string& text) {
-  std::vector<MapPolygon> area;
-  for (const json& rings : parsed(text)) {
-    MapPolygon polygon{ring_from_json(rings.at(0)), {}};
-    for (std::size_t i = 1; i < rings.size(); ++i)
-      polygon.holes.push_back(ring_from_json(rings[i]));
-    area.push_back(std::move(polygon));
-  }
-  return area;
+  return read(text, [](const json& polygons) {
+    std::vector<MapPolygon> area;
+    for (const json& rings : polygons) {
+      MapPolygon polygon{ring_from_json(rings.at(0)), {}};
+      for (std::size_t i = 1; i < rings.size(); ++i)
+        polygon.holes.push_back(ring_from_json(rings[i]));
+      area.push_back(std::move(polygon));
+    }
+    return area;
+  });
 }
 
 std::vector<std::string> words_from_json(const std::string& text) {
-  return parsed(text).get<std::vector<std::string>>();
+  return read(text, [](const json& words) { return words.get<std::vector<std::string>>(); });
 }
 
 }  // namespace leda::db

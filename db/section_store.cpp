@@ -52,6 +52,16 @@ SectionState state_of_section(Database& database, std::int64_t section) {
   return section_state_from(row.text()).value();
 }
 
+namespace {
+
+// A try whose section goes back to waiting failed where a reason is given, else it was cut off.
+const char* outcome_of_try(SectionState state, const std::string& reason) {
+  if (state == SectionState::failed || state == SectionState::dismissed) return to_string(state);
+  return reason.empty() ? "interrupted" : "failed";
+}
+
+}  // namespace
+
 bool Store::set_sections(const std::string& job, const std::vector<SectionRecord>& sections) {
   return connection_->write([&] {
     Query standing(*connection_, "SELECT 1 FROM sections WHERE job_id = ? LIMIT 1");
@@ -105,10 +115,8 @@ bool Store::set_section_state(std::int64_t section, SectionState state, const st
       return false;
     if (state == SectionState::finished)
       throw StoreError("a section is finished by its result (take_in), not by a word");
-    if (state != SectionState::running) {
-      const bool outcome = state == SectionState::failed || state == SectionState::dismissed;
-      close_run(*connection_, section, outcome ? to_string(state) : "interrupted", reason);
-    }
+    if (state != SectionState::running)
+      close_run(*connection_, section, outcome_of_try(state, reason), reason);
     Query(*connection_, "UPDATE sections SET state = ?2, reason = ?3 WHERE id = ?1")
         .with(section, to_string(state), reason)
         .run();

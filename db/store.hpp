@@ -26,9 +26,9 @@ class StoreConflict : public StoreError {
 };
 
 struct JobFilter {
-  std::vector<std::string> processes;    ///< empty: any
-  std::vector<JobState> states;          ///< empty: any
-  std::string created_from, created_to;  ///< ISO 8601, empty: open
+  std::vector<std::string> processes{};      ///< empty: any
+  std::vector<JobState> states{};            ///< empty: any
+  std::string created_from{}, created_to{};  ///< ISO 8601, empty: open
   int limit = 100;
   int offset = 0;
 };
@@ -75,7 +75,8 @@ class Store {
   /// booked as interrupted. False, and nothing changed, where the section is finished or
   /// dismissed; StoreConflict where the run's id stands already.
   bool start_run(std::int64_t section, const std::string& run);
-  /// Closes the try under way. A finished section keeps its result and its state, a dismissed one
+  /// Closes the try under way (back to waiting with a reason: it failed; without: it was cut off).
+  /// A finished section keeps its result and its state, a dismissed one
   /// stays so until it is set to waiting: false where that kept it.
   bool set_section_state(std::int64_t section, SectionState state, const std::string& reason);
   std::vector<RunRecord> runs(std::int64_t section) const;  ///< every try, first to last
