@@ -90,17 +90,15 @@ Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe
 }
 
 void SlideCount::observe(double time_s, double retrogression_m) {
-  if (retrogression_m <= largest_) return;
-  if (time_s - last_growth_ > slide_pause_s) {
-    grown_ = 0;
-    counted_ = false;
-  }
-  grown_ += retrogression_m - largest_;
-  largest_ = retrogression_m;
-  last_growth_ = time_s;
-  if (!counted_ && grown_ > slide_threshold_m) {
+  recent_.push_back({time_s, retrogression_m});
+  // The last look before the window is kept: growth is measured over at least its length.
+  while (recent_.size() > 2 && recent_[1][0] <= time_s - slide_window_s) recent_.pop_front();
+  const double growth = retrogression_m - recent_.front()[1];
+  if (!sliding_ && growth >= slide_begins_m) {
+    sliding_ = true;
     ++count_;
-    counted_ = true;
+  } else if (sliding_ && growth < slide_ends_m) {
+    sliding_ = false;
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // From particles to what an engineer reads: surface, backscarp, front, slides.
 
+#include <array>
+#include <deque>
 #include <vector>
 
 #include "solver/section/crest_and_toe.hpp"
@@ -25,8 +27,9 @@ Surface surface(const Seeded& seeded);
 
 /// Thresholds of the definitions in solver/README.md, "Retrogression and runout".
 inline constexpr double drop_threshold_m = 0.5;
-inline constexpr double slide_threshold_m = 2.0;
-inline constexpr double slide_pause_s = 0.5;
+inline constexpr double slide_window_s = 0.3;
+inline constexpr double slide_begins_m = 4.0;
+inline constexpr double slide_ends_m = 2.0;
 
 struct Movement {
   double retrogression_m = 0;
@@ -39,16 +42,18 @@ struct Movement {
 Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe& bank,
                  const Surface& before);
 
-/// Counts slides while the run goes on: a slide is a growth of the retrogression by more than
-/// slide_threshold_m in all, begun after the backscarp stood still for slide_pause_s.
+/// Counts slides while the run goes on. Between slides the backscarp creeps back by crumbling; a
+/// slide is a burst: it begins when the backscarp retreats by slide_begins_m within
+/// slide_window_s and is over when it retreats by less than slide_ends_m in that time.
 class SlideCount {
  public:
+  /// @param time_s never decreasing
   void observe(double time_s, double retrogression_m);
   int count() const { return count_; }
 
  private:
-  double largest_ = 0, grown_ = 0, last_growth_ = -1e9;
-  bool counted_ = false;
+  std::deque<std::array<double, 2>> recent_;  ///< time, retrogression within the window
+  bool sliding_ = false;
   int count_ = 0;
 };
 

@@ -14,11 +14,11 @@ namespace leda::solver {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Weights and distances (node minus particle, m) to the three nodes on each axis, and the
-/// lowest node of the first column.
+/// Weights, their slopes (1/m) and distances (node minus particle, m) for the three nodes on each
+/// axis, and the lowest node of the first column.
 template <class D>
 struct ParticleSpline {
-  hn::Vec<D> wx[3], wz[3], dx[3], dz[3];
+  hn::Vec<D> wx[3], wz[3], slope_x[3], slope_z[3], dx[3], dz[3];
   hn::Vec<hn::RebindToSigned<D>> node;
 };
 
@@ -30,11 +30,14 @@ HWY_INLINE ParticleSpline<D> particle_spline(D d, const double* x, const double*
   ParticleSpline<D> s;
   const auto half = hn::Set(d, 0.5), one = hn::Set(d, 1.0), side = hn::Set(d, h);
   const auto per_h = hn::Set(d, 1.0 / h);
-  const auto weights = [&](hn::Vec<D> f, hn::Vec<D>* w, hn::Vec<D>* distance) {
+  const auto weights = [&](hn::Vec<D> f, hn::Vec<D>* w, hn::Vec<D>* slope, hn::Vec<D>* distance) {
     const auto a = hn::Sub(hn::Set(d, 1.5), f), b = hn::Sub(f, one), c = hn::Sub(f, half);
     w[0] = hn::Mul(half, hn::Mul(a, a));
     w[1] = hn::NegMulAdd(b, b, hn::Set(d, 0.75));
     w[2] = hn::Mul(half, hn::Mul(c, c));
+    slope[0] = hn::Neg(hn::Mul(a, per_h));
+    slope[1] = hn::Mul(hn::Mul(hn::Set(d, -2.0), b), per_h);
+    slope[2] = hn::Mul(c, per_h);
     distance[0] = hn::Neg(hn::Mul(f, side));
     distance[1] = hn::Add(distance[0], side);
     distance[2] = hn::Add(distance[1], side);
@@ -42,8 +45,8 @@ HWY_INLINE ParticleSpline<D> particle_spline(D d, const double* x, const double*
   const auto gx = hn::MulAdd(hn::LoadU(d, x), per_h, one);
   const auto gz = hn::MulAdd(hn::LoadU(d, z), per_h, one);
   const auto column = hn::Floor(hn::Sub(gx, half)), row = hn::Floor(hn::Sub(gz, half));
-  weights(hn::Sub(gx, column), s.wx, s.dx);
-  weights(hn::Sub(gz, row), s.wz, s.dz);
+  weights(hn::Sub(gx, column), s.wx, s.slope_x, s.dx);
+  weights(hn::Sub(gz, row), s.wz, s.slope_z, s.dz);
   const auto node = hn::MulAdd(column, hn::Set(d, static_cast<double>(rows)), row);
   s.node =
       hn::PromoteTo(hn::RebindToSigned<D>(), hn::DemoteTo(hn::Rebind<std::int32_t, D>(), node));

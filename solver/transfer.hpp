@@ -1,7 +1,8 @@
 #pragma once
-// Particles to grid and back: quadratic B-splines, APIC (Jiang et al. 2015) in the moving least
-// squares form of Hu et al. 2018 (MLS-MPM), whose internal force and velocity gradient are
-// conjugate: sum_i f_i . v_i = - sum_p V sigma : C.
+// Particles to grid and back: quadratic B-splines (Steffen et al. 2008) with APIC (Jiang et al.
+// 2015). Internal force and strain use the true gradients of the splines and are conjugate:
+// sum_i f_i . v_i = - sum_p V sigma : grad v. The cheaper gradient of MLS-MPM (Hu et al. 2018)
+// was tried and smears the shear bands: solver/README.md, "Choices".
 
 #include "solver/grid.hpp"
 #include "solver/law_table.hpp"

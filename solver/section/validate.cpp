@@ -180,6 +180,14 @@ void check_run(const RunSettings& settings, FaultList& faults) {
 
 }  // namespace
 
+std::vector<Fault> validate_settings(const RunSettings& settings) {
+  FaultList faults;
+  check_trigger({}, false, std::nullopt, settings.trigger, faults);
+  check_resolution(settings.resolution, faults);
+  check_run(settings, faults);
+  return faults.take();
+}
+
 std::vector<Fault> validate(const Section& section, const RunSettings& settings) {
   FaultList faults;
   const bool ground = check_ground(section, faults);

@@ -20,6 +20,9 @@ inline constexpr std::int64_t most_particles = 20'000'000;
 /// @return empty when the section can be simulated
 std::vector<Fault> validate(const Section& section, const RunSettings& settings);
 
+/// Faults of settings alone: what can be said without the ground.
+std::vector<Fault> validate_settings(const RunSettings& settings);
+
 /// Faults of materials alone; pointers start at `at` (for example "/materials").
 std::vector<Fault> validate_materials(const std::map<std::string, Material>& materials,
                                       const std::string& at);
