@@ -1,0 +1,30 @@
+#include "server/commands/exit_code.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "server/http_server.hpp"
+#include "server/problem.hpp"
+
+namespace leda::server {
+
+int guarded(const std::function<int()>& command) {
+  try {
+    return command();
+  } catch (const Problem& problem) {
+    fmt::print(stderr, "error: {}\n", problem.what());
+    for (const auto& fault : problem.faults) {
+      fmt::print(stderr, "  {}: {}\n", fault.pointer, fault.message);
+    }
+    return status_of(problem.failure) < 500 ? 2 : 1;
+  } catch (const ListenError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace leda::server

@@ -1,0 +1,30 @@
+#include "server/compare_sections.hpp"
+
+#include "server/problem.hpp"
+
+namespace leda::server {
+
+std::vector<db::SectionRecord> sections_or_problem(const db::Store& store, const std::string& job,
+                                                   const std::vector<std::string>& names) {
+  if (!store.job(job)) throw Problem(Failure::no_such_job, "there is no job " + job);
+  std::vector<db::SectionRecord> sections;
+  for (const auto& name : names) {
+    auto section = store.section(job, name);
+    if (!section) {
+      throw Problem(Failure::no_such_resource, "job " + job + " has no section '" + name + "'");
+    }
+    sections.push_back(std::move(*section));
+  }
+  return sections;
+}
+
+std::vector<ComparedSection> as_compared(const std::vector<db::SectionRecord>& sections) {
+  std::vector<ComparedSection> compared;
+  for (const auto& section : sections) {
+    compared.push_back({section.name, db::to_string(section.state), section.ground, section.crest,
+                        section.toe, section.result});
+  }
+  return compared;
+}
+
+}  // namespace leda::server

@@ -1,0 +1,316 @@
+#include "server/dispatcher.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "server/documents/run_folder.hpp"
+#include "server/problem.hpp"
+#include "server/summary.hpp"
+#include "server/take_in.hpp"
+
+namespace leda::server {
+
+using db::JobState;
+using db::SectionState;
+
+namespace {
+
+constexpr std::chrono::milliseconds between_turns{50};
+constexpr std::chrono::milliseconds between_reports{500};
+constexpr std::chrono::milliseconds after_failure{1000};
+constexpr std::chrono::milliseconds to_wind_down{2500};
+
+std::size_t count(const std::vector<db::SectionRecord>& sections, SectionState state) {
+  return static_cast<std::size_t>(
+      std::count_if(sections.begin(), sections.end(),
+                    [state](const auto& section) { return section.state == state; }));
+}
+
+/// A folder that no earlier try has used, not even one that died before it was stored.
+std::string new_run(const DataFolder& data, const std::string& job,
+                    const db::SectionRecord& section) {
+  for (int number = section.attempts + 1;; ++number) {
+    std::string run = job + "-" + std::to_string(section.ordinal) + "-" + std::to_string(number);
+    if (std::filesystem::create_directory(data.run(run))) return run;
+  }
+}
+
+}  // namespace
+
+Dispatcher::Dispatcher(const DataFolder& data, db::Store& store, MakeExecutor make_executor)
+    : data_(data), store_(store), make_executor_(std::move(make_executor)) {}
+
+Dispatcher::~Dispatcher() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void Dispatcher::start() {
+  const std::lock_guard lock(mutex_);
+  for (const auto& job : store_.unfinished_jobs()) to_take_up_.push_back(job.id);
+  thread_ = std::thread([this] { work(); });
+}
+
+void Dispatcher::add(const std::string& job) {
+  const std::lock_guard lock(mutex_);
+  to_take_up_.push_back(job);
+  wake_.notify_all();
+}
+
+std::size_t Dispatcher::running() const {
+  const std::lock_guard lock(mutex_);
+  return runs_.size();
+}
+
+void Dispatcher::dismiss(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  std::erase(to_take_up_, id);
+  store_.set_job_state(id, JobState::dismissed, "dismissed");
+  const auto found = jobs_.find(id);
+  if (found != jobs_.end()) {
+    for (const auto& [run, of] : runs_) {
+      if (of.job == id) executor_->cancel(run);
+    }
+    std::erase_if(runs_, [&](const auto& entry) { return entry.second.job == id; });
+    jobs_.erase(found);
+  }
+  for (const auto& section : store_.sections(id)) {
+    if (section.state == SectionState::waiting || section.state == SectionState::running) {
+      store_.set_section_state(section.id, SectionState::dismissed, "the job was dismissed");
+    }
+  }
+  spdlog::info("job={} dismissed", id);
+}
+
+void Dispatcher::work() {
+  std::unique_lock lock(mutex_);
+  executor_ = make_executor_();
+  while (!stop_) {
+    auto pause = between_turns;
+    try {
+      turn();
+    } catch (const std::exception& error) {
+      spdlog::error("the dispatcher tries again: {}", error.what());
+      pause = after_failure;
+    }
+    wake_.wait_for(lock, pause, [this] { return stop_ || !to_take_up_.empty(); });
+  }
+  wind_down();
+  executor_.reset();
+}
+
+void Dispatcher::turn() {
+  while (!to_take_up_.empty()) {
+    take_up(to_take_up_.front());
+    to_take_up_.pop_front();
+  }
+  for (auto& end : executor_->poll()) ended_.push_back(std::move(end));
+  while (!ended_.empty()) {
+    settle(ended_.front());
+    ended_.pop_front();
+  }
+  while (executor_->free_slots() > 0 && start_next()) {
+  }
+  report_progress();
+  finish_done_jobs();
+}
+
+void Dispatcher::take_up(const std::string& id) {
+  const auto record = store_.job(id);
+  if (!record || jobs_.contains(id)) return;
+  if (record->state != JobState::accepted && record->state != JobState::running) return;
+  OpenJob job;
+  job.record = *record;
+  try {
+    const Process* process = find_process(record->process);
+    if (process == nullptr) throw std::runtime_error("no process " + record->process);
+    job.work = process->open(record->request, {data_, store_, record->raster});
+    job.sections = store_.sections(id);
+    if (job.sections.empty()) {
+      store_.set_sections(id, job.work->plan());
+      job.sections = store_.sections(id);
+    }
+  } catch (const db::StoreError&) {
+    throw;
+  } catch (const std::exception& error) {
+    spdlog::error("job={} cannot be taken up: {}", id, error.what());
+    store_.set_job_state(id, JobState::failed,
+                         std::string("the job could not be taken up: ") + error.what());
+    return;
+  }
+  recover(job);
+  spdlog::info("job={} taken up: {} sections, {} to run", id, job.sections.size(),
+               count(job.sections, SectionState::waiting));
+  jobs_[id] = std::move(job);
+}
+
+/// Runs that ended while nobody watched are taken in; those that were cut off start anew.
+void Dispatcher::recover(OpenJob& job) {
+  for (auto& section : job.sections) {
+    if (section.state == SectionState::running && read_outcome(data_.run(section.run)).result) {
+      take_in(job, section);
+    }
+  }
+  const int restarted = store_.requeue_running(job.record.id);
+  if (restarted > 0) spdlog::info("job={} runs to start anew: {}", job.record.id, restarted);
+  for (auto& section : job.sections) {
+    if (section.state == SectionState::running) section.state = SectionState::waiting;
+  }
+}
+
+void Dispatcher::settle(const RunEnd& end) {
+  const auto run = runs_.find(end.run);
+  if (run == runs_.end()) return;  // of a job that was dismissed
+  OpenJob& job = jobs_.at(run->second.job);
+  db::SectionRecord& section = job.sections[run->second.section];
+  int& crashes = job.crashes[run->second.section];
+  const auto folder = data_.run(end.run);
+  const bool by_itself = end.how == RunEnd::How::exited;
+  const Outcome outcome = read_outcome(folder);
+
+  if (by_itself && (end.exit_code == 0 || end.exit_code == 3) && outcome.result) {
+    take_in(job, section);
+  } else {
+    std::string reason = end.reason.empty() ? outcome.fault : end.reason;
+    if (const auto words = last_words(folder); !words.empty()) reason += ": " + words;
+    const bool hopeless = end.how == RunEnd::How::over_limit || (by_itself && end.exit_code == 2);
+    const bool again = !hopeless && ++crashes < most_tries;
+    spdlog::warn("job={} section={} run={} gave no result ({}): {}", job.record.id, section.name,
+                 end.run, again ? "it is tried again" : "given up", reason);
+    set_state(section, again ? SectionState::waiting : SectionState::failed, reason);
+  }
+  --job.running;
+  runs_.erase(run);
+}
+
+/// First the file is in place, then the row.
+void Dispatcher::take_in(OpenJob& job, db::SectionRecord& section) {
+  const Outcome outcome = read_outcome(data_.run(section.run));
+  const SectionResult& result = outcome.result.value();
+  const PlacedResult placed = job.work->place(section, result);
+  store_.take_in(section.id, section.run, result, placed, outcome.document);
+  const bool usable = result.status != RunStatus::unstable;
+  section.state = usable ? SectionState::finished : SectionState::failed;
+  section.reason = result.reason;
+  section.result = result;
+  section.placed = placed;
+  spdlog::info("job={} section={} run={} {}: retrogression {:.1f} m, runout {:.1f} m, {:.1f} s",
+               job.record.id, section.name, section.run, to_string(result.status),
+               result.crest_to_crest_retrogression_m, result.runout_m, result.run_time_s);
+}
+
+/// The job with the fewest runs comes first, so that a small one need not wait for a large one.
+bool Dispatcher::start_next() {
+  OpenJob* next = nullptr;
+  for (auto& [id, job] : jobs_) {
+    if (count(job.sections, SectionState::waiting) == 0) continue;
+    const bool sooner = next == nullptr || job.running < next->running ||
+                        (job.running == next->running && job.record.created < next->record.created);
+    if (sooner) next = &job;
+  }
+  if (next == nullptr) return false;
+  const auto section =
+      std::find_if(next->sections.begin(), next->sections.end(),
+                   [](const auto& candidate) { return candidate.state == SectionState::waiting; });
+  start_run(*next, static_cast<std::size_t>(section - next->sections.begin()));
+  return true;
+}
+
+void Dispatcher::start_run(OpenJob& job, std::size_t index) {
+  db::SectionRecord& section = job.sections[index];
+  const std::string& id = job.record.id;
+  const std::string run = new_run(data_, id, section);
+  write_whole(data_.run(run) / "case.json", job.work->case_file(section));
+  store_.start_run(section.id, run);
+  section.run = run;
+  section.state = SectionState::running;
+  ++section.attempts;
+  if (job.record.state == JobState::accepted) {
+    store_.set_job_state(id, JobState::running, progress_message(job.sections));
+    job.record.state = JobState::running;
+  }
+  runs_[run] = {id, index};
+  ++job.running;
+  executor_->submit({run, data_.run(run)});
+  spdlog::info("job={} section={} run={} started", id, section.name, run);
+}
+
+void Dispatcher::report_progress() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - progress_told_ < between_reports) return;
+  progress_told_ = now;
+  std::map<std::string, double> fractions;
+  for (const auto& [run, of] : runs_) fractions[of.job] += read_fraction(data_.run(run));
+  for (auto& [id, job] : jobs_) {
+    if (job.record.state != JobState::running) continue;
+    const int percent = progress_percent(job.sections, fractions[id]);
+    const std::string message = progress_message(job.sections);
+    if (percent == job.record.progress && message == job.record.message) continue;
+    store_.set_job_progress(id, percent, message);
+    job.record.progress = percent;
+    job.record.message = message;
+  }
+}
+
+void Dispatcher::finish_done_jobs() {
+  for (auto at = jobs_.begin(); at != jobs_.end();) {
+    const auto& sections = at->second.sections;
+    const bool done = at->second.running == 0 && count(sections, SectionState::waiting) == 0;
+    if (done) finish(at->second);
+    at = done ? jobs_.erase(at) : std::next(at);
+  }
+}
+
+void Dispatcher::finish(OpenJob& job) {
+  const std::string& id = job.record.id;
+  JobState state = JobState::successful;
+  std::string message = final_message(job.sections);
+  if (count(job.sections, SectionState::failed) > 0 &&
+      count(job.sections, SectionState::finished) + count(job.sections, SectionState::stable) ==
+          0) {
+    state = JobState::failed;
+  }
+  try {
+    store_.set_zones(id, job.work->zones(job.sections));
+  } catch (const db::StoreError&) {
+    throw;
+  } catch (const std::exception& error) {
+    state = JobState::failed;
+    message = std::string("the zones could not be made: ") + error.what();
+  }
+  if (state == JobState::successful) store_.set_job_progress(id, 100, message);
+  store_.set_job_state(id, state, message);
+  spdlog::info("job={} {}: {}", id, db::to_string(state), message);
+}
+
+/// Workers are asked to end; what has a result by then is taken in.
+void Dispatcher::wind_down() {
+  for (const auto& [run, of] : runs_) executor_->cancel(run);
+  const auto until = std::chrono::steady_clock::now() + to_wind_down;
+  while (!runs_.empty() && std::chrono::steady_clock::now() < until) {
+    for (const auto& end : executor_->poll()) {
+      const auto run = runs_.find(end.run);
+      if (run == runs_.end()) continue;
+      if (end.how == RunEnd::How::exited && end.exit_code == 0) {
+        settle(end);
+      } else {
+        runs_.erase(run);  // its row stays running, and is taken up at the next start
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+void Dispatcher::set_state(db::SectionRecord& section, SectionState state,
+                           const std::string& reason) {
+  store_.set_section_state(section.id, state, reason);
+  section.state = state;
+  section.reason = reason;
+}
+
+}  // namespace leda::server

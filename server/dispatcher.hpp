@@ -1,0 +1,89 @@
+#pragma once
+// What runs next, and what becomes of a run that ended. The truth is in the store: after kill -9
+// at any moment a new dispatcher takes up everything unfinished, and counts nothing twice.
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "db/store.hpp"
+#include "server/data_folder.hpp"
+#include "server/executor.hpp"
+#include "server/process.hpp"
+
+namespace leda::server {
+
+class Dispatcher {
+ public:
+  /// A run that crashes is tried this often in the life of one dispatcher.
+  static constexpr int most_tries = 3;
+
+  using MakeExecutor = std::function<std::unique_ptr<Executor>()>;
+
+  /// The executor is made, used and destroyed in the dispatcher's own thread.
+  Dispatcher(const DataFolder& data, db::Store& store, MakeExecutor make_executor);
+  /// Ends the runs that still go; a later dispatcher starts them anew.
+  ~Dispatcher();
+  Dispatcher(const Dispatcher&) = delete;
+  Dispatcher& operator=(const Dispatcher&) = delete;
+
+  /// Takes up every unfinished job of the store, then works until it is destroyed.
+  void start();
+  /// A job was committed to the store, or put back by retry.
+  void add(const std::string& job);
+  /// Ends a job that is not finished; its runs are killed.
+  void dismiss(const std::string& job);
+  /// Runs going on now.
+  std::size_t running() const;
+
+ private:
+  struct OpenJob {
+    db::JobRecord record;
+    std::unique_ptr<Work> work;
+    std::vector<db::SectionRecord> sections;  ///< in step with the store
+    std::map<std::size_t, int> crashes;       ///< by index of the section
+    std::size_t running = 0;
+  };
+  struct Run {
+    std::string job;
+    std::size_t section = 0;  ///< index in the job's sections
+  };
+
+  void work();
+  void turn();
+  void take_up(const std::string& id);
+  void recover(OpenJob& job);
+  void settle(const RunEnd& end);
+  void take_in(OpenJob& job, db::SectionRecord& section);
+  bool start_next();
+  void start_run(OpenJob& job, std::size_t index);
+  void report_progress();
+  void finish(OpenJob& job);
+  void finish_done_jobs();
+  void wind_down();
+  void set_state(db::SectionRecord& section, db::SectionState state, const std::string& reason);
+
+  const DataFolder& data_;
+  db::Store& store_;
+  MakeExecutor make_executor_;
+
+  mutable std::mutex mutex_;  ///< guards everything below
+  std::condition_variable wake_;
+  std::unique_ptr<Executor> executor_;
+  std::deque<std::string> to_take_up_;
+  std::deque<RunEnd> ended_;  ///< not settled yet
+  std::map<std::string, OpenJob> jobs_;
+  std::map<std::string, Run> runs_;
+  std::chrono::steady_clock::time_point progress_told_{};
+  bool stop_ = false;
+  std::thread thread_;
+};
+
+}  // namespace leda::server

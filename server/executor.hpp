@@ -1,0 +1,44 @@
+#pragma once
+// Where runs are computed. The dispatcher knows nothing else about it.
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace leda::server {
+
+/// One run: the folder holds case.json, and everything the run leaves goes there.
+struct RunOrder {
+  std::string run;
+  std::filesystem::path folder;
+};
+
+/// A run that is over. Whether it left a result, its folder says.
+struct RunEnd {
+  enum class How {
+    exited,      ///< by itself, with `exit_code`
+    killed,      ///< by a signal, or the machine lost it
+    over_limit,  ///< it reached the limit of memory or time
+    cancelled    ///< as asked
+  };
+  std::string run;
+  How how = How::exited;
+  int exit_code = 0;
+  std::string reason;  ///< for people; empty after exit code 0
+};
+
+class Executor {
+ public:
+  virtual ~Executor() = default;
+  /// How many more runs it would take now.
+  virtual std::size_t free_slots() const = 0;
+  /// Takes a run. A failure to start it is told by poll().
+  virtual void submit(const RunOrder& order) = 0;
+  /// The runs that ended since the last call, each once.
+  virtual std::vector<RunEnd> poll() = 0;
+  /// Ends a run; poll() tells when it is over. Unknown runs are ignored.
+  virtual void cancel(const std::string& run) = 0;
+};
+
+}  // namespace leda::server

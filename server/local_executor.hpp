@@ -1,0 +1,59 @@
+#pragma once
+// Runs as processes of this machine: `leda simulate FOLDER/case.json --out FOLDER`.
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+
+#include "server/executor.hpp"
+
+namespace leda::server {
+
+/// What one run may use. 0: no limit.
+struct RunLimits {
+  std::uint64_t memory_bytes = std::uint64_t{8} << 30;  ///< address space
+  std::uint64_t cpu_s = 6 * 3600;
+  std::chrono::seconds wall{8 * 3600};
+};
+
+/// Processes die with the thread that submits them (PR_SET_PDEATHSIG), so a killed server leaves
+/// none behind: submit() must be called from one thread that lives as long as the executor.
+/// Output goes to FOLDER/log.txt. Not safe for several threads.
+class LocalExecutor final : public Executor {
+ public:
+  /// @param program the leda executable
+  LocalExecutor(std::filesystem::path program, std::size_t workers, RunLimits limits = {});
+  /// Kills what still runs.
+  ~LocalExecutor() override;
+
+  std::size_t free_slots() const override;
+  void submit(const RunOrder& order) override;
+  std::vector<RunEnd> poll() override;
+  void cancel(const std::string& run) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Worker {
+    pid_t process = 0;
+    Clock::time_point started;
+    bool cancelled = false;
+    bool over_wall = false;
+    Clock::time_point asked_to_end{};  ///< SIGKILL follows two seconds later
+  };
+
+  void enforce(Worker& worker) const;
+
+  std::filesystem::path program_;
+  std::size_t workers_;
+  RunLimits limits_;
+  std::map<std::string, Worker> running_;
+  std::vector<RunEnd> not_started_;
+};
+
+/// The file of the running program.
+std::filesystem::path own_program();
+
+}  // namespace leda::server

@@ -1,0 +1,25 @@
+// The command line of Leda: each subcommand stands in a file of its own in commands/.
+
+#include "server/commands/commands.hpp"
+#include "server/version.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app("Leda maps the hazard of retrogressive landslides in sensitive clays.", "leda");
+  app.set_version_flag("--version", std::string("leda ") + leda::server::version());
+  app.require_subcommand(1);
+  int exit_code = 0;
+  leda::server::add_serve(app, exit_code);
+  leda::server::add_map(app, exit_code);
+  leda::server::add_simulate(app, exit_code);
+  leda::server::add_dss(app, exit_code);
+  leda::server::add_calibrate(app, exit_code);
+  leda::server::add_fit(app, exit_code);
+  leda::server::add_compare(app, exit_code);
+  leda::server::add_export(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return exit_code;
+}

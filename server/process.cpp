@@ -1,0 +1,55 @@
+#include "server/process.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "server/documents/published_schema.hpp"
+#include "server/map_region.hpp"
+#include "server/simulate_section.hpp"
+
+namespace leda::server {
+namespace {
+
+/// Each input with its schema; the shared definitions go along, so that each stands alone.
+nlohmann::json inputs_of(PublishedSchema which) {
+  const auto& whole = published_schema(which);
+  const auto& inputs = whole["properties"]["inputs"];
+  nlohmann::json described;
+  for (const auto& [name, schema] : inputs["properties"].items()) {
+    const auto& required = inputs["required"];
+    const bool wanted = std::find(required.begin(), required.end(), name) != required.end();
+    described[name] = {{"title", schema.value("description", name)},
+                       {"minOccurs", wanted ? 1 : 0},
+                       {"maxOccurs", 1},
+                       {"schema", schema}};
+    described[name]["schema"]["definitions"] = whole["definitions"];
+  }
+  return described;
+}
+
+nlohmann::json region_inputs() { return inputs_of(PublishedSchema::region_request); }
+nlohmann::json section_inputs() { return inputs_of(PublishedSchema::simulate_request); }
+
+constexpr std::array table{
+    Process{"map-region", "Map the hazard of a region",
+            "Cuts sections from a DEM, simulates them and joins retrogression and runout to "
+            "release and runout zones",
+            open_region, region_inputs},
+    Process{"simulate-section", "Simulate one section",
+            "Runs one case through the material point method: retrogression and runout",
+            open_section, section_inputs},
+};
+
+}  // namespace
+
+std::span<const Process> processes() { return table; }
+
+const Process* find_process(std::string_view id) {
+  for (const Process& process : table) {
+    if (process.id == id) return &process;
+  }
+  return nullptr;
+}
+
+}  // namespace leda::server

@@ -1,0 +1,61 @@
+#pragma once
+// The kinds of job Leda knows, and what each does beyond waiting for its sections.
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "db/store.hpp"
+#include "server/data_folder.hpp"
+
+namespace leda::server {
+
+/// A job that was understood: how its sections are run, and what is made of their results.
+class Work {
+ public:
+  virtual ~Work() = default;
+
+  /// Every section of the job, in order, waiting or left out with its reason.
+  /// @throws Problem invalid_request with every fault that can be known before a run
+  virtual std::vector<db::SectionRecord> plan() const = 0;
+
+  /// Id of the DEM the job stands on; empty: none.
+  virtual std::string raster() const = 0;
+
+  /// The self-contained case file of a section, for `leda simulate`.
+  virtual std::string case_file(const db::SectionRecord& section) const = 0;
+
+  virtual PlacedResult place(const db::SectionRecord& section,
+                             const SectionResult& result) const = 0;
+
+  /// What all sections together say on the map; empty where the job has no map.
+  virtual std::vector<Zone> zones(const std::vector<db::SectionRecord>& sections) const = 0;
+};
+
+/// Where jobs find their rasters.
+struct Library {
+  const DataFolder& data;
+  const db::Store& store;
+  std::string raster = "";  ///< the DEM a stored job stands on; wins over the name in its request
+};
+
+struct Process {
+  std::string_view id;  ///< "map-region"
+  std::string_view title;
+  std::string_view description;
+  /// Understands the execute request as sent.
+  /// @throws Problem invalid_request with every fault
+  std::unique_ptr<Work> (*open)(const std::string& request, const Library& library);
+  /// JSON schemas of the inputs by name, as OGC API - Processes describes them.
+  nlohmann::json (*inputs)();
+};
+
+std::span<const Process> processes();
+
+/// @return nullptr where there is none
+const Process* find_process(std::string_view id);
+
+}  // namespace leda::server

@@ -1,0 +1,111 @@
+#include "server/service.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <nlohmann/json.hpp>
+
+#include "server/problem.hpp"
+
+namespace leda::server {
+namespace {
+
+/// "20260131T120000-1a2b3c": sorts by time, and is safe in a path.
+std::string new_job_id() {
+  std::string id;
+  for (const char c : db::utc_now().substr(0, 19)) {
+    if (c != '-' && c != ':') id += c;
+  }
+  return id + "-" + random_hex(6);
+}
+
+/// The name a user gave the job, from the request as sent.
+std::string name_in(const std::string& request) {
+  const auto document = nlohmann::json::parse(request, nullptr, false);
+  const auto at = nlohmann::json::json_pointer("/inputs/name");
+  if (document.is_object() && document.contains(at) && document[at].is_string()) {
+    return document[at].get<std::string>();
+  }
+  return "";
+}
+
+bool is_finished(db::JobState state) {
+  return state != db::JobState::accepted && state != db::JobState::running;
+}
+
+std::optional<Submitted> stored_reply(const db::Store& store, const Process& process,
+                                      const std::string& request, const std::string& key) {
+  if (key.empty()) return std::nullopt;
+  const auto job = store.job_by_idempotency_key(key);
+  if (!job) return std::nullopt;
+  if (job->process != process.id || job->request != request) {
+    throw Problem(Failure::key_reused,
+                  "the Idempotency-Key was used before with another request: job " + job->id);
+  }
+  return Submitted{*job, true};
+}
+
+}  // namespace
+
+Service::Service(const std::filesystem::path& data_folder, const ServiceOptions& options)
+    : data(data_folder), lock(data), store(data.store()), dispatcher(data, store, [options] {
+        return std::make_unique<LocalExecutor>(options.program, options.workers,
+                                               options.run_limits);
+      }) {
+  dispatcher.start();
+}
+
+Submitted submit(Service& service, const Process& process, const std::string& request,
+                 const std::string& key) {
+  if (auto stood = stored_reply(service.store, process, request, key)) return *stood;
+  if (service.store.unfinished_jobs().size() >= Service::most_unfinished_jobs) {
+    throw Problem(Failure::too_busy, "too many jobs are unfinished: try again later");
+  }
+  const auto work = process.open(request, {service.data, service.store});
+  const auto sections = work->plan();
+
+  const std::lock_guard one_at_a_time(service.submitting);
+  if (auto stood = stored_reply(service.store, process, request, key)) return *stood;
+  db::JobRecord job;
+  job.id = new_job_id();
+  job.process = process.id;
+  job.name = name_in(request);
+  job.message = "accepted";
+  job.request = request;
+  job.idempotency_key = key;
+  job.raster = work->raster();
+  job.created = job.updated = db::utc_now();
+  service.store.add_job(job);
+  service.store.set_sections(job.id, sections);
+  service.dispatcher.add(job.id);
+  spdlog::info("job={} accepted: {} with {} sections", job.id, process.id, sections.size());
+  return {job, false};
+}
+
+db::JobRecord retry(Service& service, const std::string& id) {
+  const db::JobRecord job = job_or_problem(service.store, id);
+  if (!is_finished(job.state) || job.state == db::JobState::dismissed) {
+    throw Problem(Failure::wrong_state, "job " + id + " is " + db::to_string(job.state) +
+                                            ": only a finished job can be retried");
+  }
+  bool any = false;
+  for (const auto& section : service.store.sections(id)) {
+    any = any || section.state == db::SectionState::failed ||
+          section.state == db::SectionState::waiting;
+    if (section.state == db::SectionState::failed) {
+      service.store.set_section_state(section.id, db::SectionState::waiting, "");
+    }
+  }
+  if (!any) throw Problem(Failure::wrong_state, "no section of job " + id + " failed");
+  service.store.set_job_state(id, db::JobState::accepted, "retried");
+  service.dispatcher.add(id);
+  spdlog::info("job={} retried", id);
+  return job_or_problem(service.store, id);
+}
+
+db::JobRecord job_or_problem(const db::Store& store, const std::string& id) {
+  auto job = store.job(id);
+  if (!job) throw Problem(Failure::no_such_job, "there is no job " + id);
+  return *job;
+}
+
+}  // namespace leda::server

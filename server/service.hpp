@@ -1,0 +1,64 @@
+#pragma once
+// Everything a request or a command can reach: the data folder, its store, its dispatcher.
+
+#include <atomic>
+#include <cstddef>
+#include <filesystem>
+#include <mutex>
+#include <string>
+
+#include "db/store.hpp"
+#include "server/data_folder.hpp"
+#include "server/dispatcher.hpp"
+#include "server/local_executor.hpp"
+#include "server/metrics.hpp"
+#include "server/process.hpp"
+
+namespace leda::server {
+
+struct ServiceOptions {
+  std::size_t workers = 1;
+  RunLimits run_limits;
+  std::filesystem::path program = own_program();  ///< of the workers
+};
+
+struct Service {
+  /// Opens the data folder and takes up what is unfinished.
+  /// @throws DataFolderError, db::StoreError
+  Service(const std::filesystem::path& data_folder, const ServiceOptions& options);
+
+  static constexpr int most_unfinished_jobs = 200;
+  static constexpr int most_streams = 16;
+
+  DataFolder data;
+  RunnerLock lock;
+  db::Store store;
+  Metrics metrics;
+  std::mutex submitting;        ///< one job is added at a time, so that a key is used once
+  std::atomic<int> streams{0};  ///< of events, open now
+  std::atomic<bool> stopping{false};
+  std::string url;        ///< "http://127.0.0.1:8080", where it is served
+  Dispatcher dispatcher;  ///< last: it uses all the others
+};
+
+/// What submit() says: the job, and whether it stood already (same key, same request).
+struct Submitted {
+  db::JobRecord job;
+  bool stood_already = false;
+};
+
+/// Understands a request, finds every fault that can be known before a run, commits the job and
+/// hands it to the dispatcher. Nothing changes where it throws.
+/// @param request the execute request as sent
+/// @param key of idempotency; empty: none
+/// @throws Problem
+Submitted submit(Service& service, const Process& process, const std::string& request,
+                 const std::string& key);
+
+/// Puts the failed sections of a finished job back in line. @throws Problem
+db::JobRecord retry(Service& service, const std::string& job);
+
+/// @throws Problem no_such_job
+db::JobRecord job_or_problem(const db::Store& store, const std::string& id);
+
+}  // namespace leda::server
