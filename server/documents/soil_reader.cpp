@@ -1,0 +1,173 @@
+#include "server/documents/soil_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "server/documents/softening_names.hpp"
+
+namespace leda::server {
+namespace {
+
+using nlohmann::json;
+
+Strength read_strength_table(const json& value, const std::string& at, FaultList& faults) {
+  Strength strength;
+  ObjectReader reader(value, at, faults);
+  const json* depth = reader.find("at_depth_m");
+  const json* elevation = reader.find("at_elevation_m");
+  reader.refuse_unknown();
+  if (!depth == !elevation) {
+    faults.add(at, "must have exactly one of at_depth_m and at_elevation_m");
+    return strength;
+  }
+  strength.by = depth ? Strength::By::depth : Strength::By::elevation;
+  const std::string table_at = reader.at(depth ? "at_depth_m" : "at_elevation_m");
+  const json& table = depth ? *depth : *elevation;
+  if (!table.is_array()) {
+    faults.add(table_at, "is " + kind_of(table) + ", must be a list of rows [m, kPa]");
+    return strength;
+  }
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const auto row =
+        read_pair(table[i], fmt::format("{}/{}", table_at, i), "a row [m, kPa]", faults);
+    if (row) strength.table.push_back({(*row)[0], (*row)[1] * kilo});
+  }
+  return strength;
+}
+
+Strength read_strength(ObjectReader& material, FaultList& faults) {
+  Strength strength;
+  const json* value = material.require("peak_strength_kPa");
+  if (!value) return strength;
+  const std::string at = material.at("peak_strength_kPa");
+  if (value->is_object()) return read_strength_table(*value, at, faults);
+  if (!value->is_number()) {
+    faults.add(at, "is " + kind_of(*value) +
+                       ", must be a number or a table {\"at_depth_m\": [[m, kPa], ...]}");
+    return strength;
+  }
+  strength.constant_Pa = read_number(*value, at, faults) * kilo;
+  return strength;
+}
+
+/// Either modulus may be given. Young's is turned into the shear modulus in kPa, so that a
+/// document with the one and a document with the other are the same case to the last bit.
+double read_shear_modulus(ObjectReader& reader, double poisson_ratio, ReadMaterials& result,
+                          FaultList& faults) {
+  const auto shear = reader.optional_number("shear_modulus_kPa");
+  const auto youngs = reader.optional_number("youngs_modulus_kPa");
+  if (!youngs) {
+    if (!shear && reader.is_object()) {
+      faults.add(reader.at("shear_modulus_kPa"), "is missing: give it or youngs_modulus_kPa");
+    }
+    return shear.value_or(0) * kilo;
+  }
+  result.derived.insert(reader.at("shear_modulus_kPa"));
+  if (shear) {
+    faults.add(reader.at("youngs_modulus_kPa"),
+               "is given beside shear_modulus_kPa: give one of the two");
+  }
+  faults.positive(reader.at("youngs_modulus_kPa"), *youngs, "kPa");
+  return *youngs / (2 * (1 + poisson_ratio)) * kilo;
+}
+
+Softening read_softening(const json& value, const std::string& at, FaultList& faults) {
+  Softening softening;
+  ObjectReader reader(value, at, faults);
+  const std::string law = reader.text("law");
+  if (const SofteningName* name = softening_named(law)) {
+    softening.law = name->read(reader);
+  } else if (!law.empty()) {
+    faults.add(reader.at("law"), "is \"" + law + "\", must be one of " + softening_names());
+  }
+  softening.reference_size_m = reader.number_or("reference_size_m", softening.reference_size_m);
+  if (reader.find("regularization")) {
+    const std::string text = reader.text("regularization");
+    if (const auto regularization = regularization_named(text)) {
+      softening.regularization = *regularization;
+    } else if (!text.empty()) {
+      faults.add(reader.at("regularization"),
+                 "is \"" + text + "\", must be one of beta, whole-curve, none");
+    }
+  }
+  // Without its law nobody knows which members belong.
+  if (softening_named(law)) reader.refuse_unknown();
+  return softening;
+}
+
+Material read_material(const json& value, const std::string& at, ReadMaterials& result,
+                       FaultList& faults) {
+  Material m;
+  ObjectReader reader(value, at, faults);
+  m.unit_weight = reader.number("unit_weight_kN_m3") * kilo;
+  m.poisson_ratio = reader.number("poisson_ratio");
+  m.shear_modulus_Pa = read_shear_modulus(reader, m.poisson_ratio, result, faults);
+  m.peak_strength = read_strength(reader, faults);
+  m.k0 = reader.number_or("k0", m.k0);
+  if (const json* drained = reader.find("drained")) {
+    ObjectReader part(*drained, reader.at("drained"), faults);
+    DrainedStrength strength;
+    strength.cohesion_Pa = part.number("cohesion_kPa") * kilo;
+    strength.friction_angle_deg = part.number("friction_angle_deg");
+    m.drained = strength;
+    part.refuse_unknown();
+  }
+  if (const json* softening = reader.find("softening")) {
+    m.softening = read_softening(*softening, reader.at("softening"), faults);
+  }
+  reader.refuse_unknown();
+  return m;
+}
+
+Layer read_layer(const json& value, const std::string& at, FaultList& faults) {
+  Layer layer;
+  ObjectReader reader(value, at, faults);
+  layer.material = reader.text("material");
+  layer.thickness_m = reader.optional_number("thickness_m");
+  layer.bottom_m = reader.optional_number("bottom_m");
+  layer.bottom_below_toe_m = reader.optional_number("bottom_below_toe_m");
+  if (const json* line = reader.find("bottom")) {
+    layer.bottom = read_polyline(*line, reader.at("bottom"), faults);
+  }
+  reader.refuse_unknown();
+  return layer;
+}
+
+}  // namespace
+
+ReadMaterials read_materials(const json& value, const std::string& at, FaultList& faults) {
+  ReadMaterials result;
+  ObjectReader reader(value, at, faults);
+  if (!reader.is_object()) return result;
+  for (const auto& member : value.items()) {
+    // The name is checked as a text too: it comes back in messages and tables.
+    read_text(member.key(), reader.at(member.key()), 100, faults);
+    result.materials[member.key()] =
+        read_material(member.value(), reader.at(member.key()), result, faults);
+  }
+  return result;
+}
+
+std::vector<Layer> read_layers(const json& value, const std::string& at, FaultList& faults) {
+  std::vector<Layer> layers;
+  if (!value.is_array()) {
+    faults.add(at, "is " + kind_of(value) + ", must be a list of layers, top down");
+    return layers;
+  }
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    layers.push_back(read_layer(value[i], fmt::format("{}/{}", at, i), faults));
+  }
+  return layers;
+}
+
+WaterTable read_water_table(const json& value, const std::string& at, FaultList& faults) {
+  WaterTable water;
+  ObjectReader reader(value, at, faults);
+  water.depth_m = reader.optional_number("depth_m");
+  if (const json* line = reader.find("line")) {
+    water.line = read_polyline(*line, reader.at("line"), faults);
+  }
+  reader.refuse_unknown();
+  return water;
+}
+
+}  // namespace leda::server
