@@ -1,0 +1,39 @@
+#pragma once
+// The rules of the house, each over a whole source tree.
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tests/architecture/source_tree.hpp"
+
+namespace leda::architecture {
+
+struct Breach {
+  std::string file;
+  int line = 0;  ///< 0: the file as a whole
+  std::string what;
+};
+
+std::ostream& operator<<(std::ostream& out, const Breach& breach);
+
+/// Arrows go one way: solver knows nothing of Leda, profiles and db stand on porches only, server
+/// and tests may include all. Includes are written from the root of the repository.
+std::vector<Breach> wrong_directions(const SourceTree& tree);
+
+/// A porch header stands on the standard library and on porches alone.
+std::vector<Breach> porches_with_walls(const SourceTree& tree);
+
+/// GDAL, SQLite, HDF5 and HTTP stay in their rooms: no file of another room sees their headers,
+/// not even through a header of ours.
+std::vector<Breach> open_fences(const SourceTree& tree);
+
+/// No file or folder is a drawer for whatever has no place.
+std::vector<Breach> drawers(const SourceTree& tree);
+
+/// No text names a folder of the machine it was written on.
+std::vector<Breach> machine_paths(const SourceTree& tree);
+
+std::vector<Breach> all_breaches(const SourceTree& tree);
+
+}  // namespace leda::architecture

@@ -1,0 +1,35 @@
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/architecture/house_rules.hpp"
+
+namespace leda::architecture {
+
+std::vector<Breach> drawers(const SourceTree& tree) {
+  static const std::set<std::string> names = {"util",   "utils", "utility", "utilities",
+                                              "common", "misc",  "helper",  "helpers"};
+  std::vector<Breach> found;
+  for (const auto& [file, text] : tree)
+    for (const auto& part : std::filesystem::path(file))
+      if (names.contains(part.stem().string()))
+        found.push_back({file, 0, part.string() + " does not say what is in it"});
+  return found;
+}
+
+std::vector<Breach> machine_paths(const SourceTree& tree) {
+  // Put together here, so that this file does not name one itself. A path on this machine begins
+  // a word; the middle of an address, or what follows ${HOME}, is none.
+  static const std::regex path(std::string(R"((^|[\s"'`=:,;(<>\[])/)") + "(work|root)/");
+  std::vector<Breach> found;
+  for (const auto& [file, text] : tree) {
+    if (!is_text(text)) continue;
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number)
+      if (std::regex_search(line, path)) found.push_back({file, number, "a machine path: " + line});
+  }
+  return found;
+}
+
+}  // namespace leda::architecture
