@@ -8,7 +8,7 @@ namespace leda::solver {
 
 namespace {
 
-constexpr double least_mass = 1e-9;  // of a full node: lighter ones only carry round-off
+constexpr double least_mass = 1e-14;  // of a node full of water: below it there is only round-off
 
 void add_gravity(Grid& grid, const GridStep& step, GridSums& sums) {
   for (std::size_t i = 0; i < grid.columns; ++i) {

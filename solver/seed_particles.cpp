@@ -30,8 +30,8 @@ double highest(const Polyline& line) {
   return std::max_element(line.begin(), line.end(), [](Point a, Point b) { return a.z < b.z; })->z;
 }
 
-// Room above the ground for what is pushed up.
-double headroom(double height, double h) { return std::max(6 * h, 0.25 * height); }
+// Room above the ground for what is pushed up; rows that nothing reaches cost only memory.
+double headroom(double height, double h) { return std::max(6 * h, height); }
 
 }  // namespace
 

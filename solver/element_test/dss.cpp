@@ -8,6 +8,7 @@
 namespace leda::solver {
 namespace {
 
+constexpr int samples_of_rise = 20;
 constexpr int samples_of_decay = 400;
 constexpr int samples_of_line = 50;
 

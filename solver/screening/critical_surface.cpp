@@ -15,6 +15,9 @@ namespace {
 constexpr double none = std::numeric_limits<double>::infinity();
 constexpr std::size_t stations_on_ground = 30;
 constexpr int coarse_slices = 16;
+/// Of the grid, best first: where Spencer and Morgenstern-Price, which have no solution on many
+/// surfaces, look for theirs.
+constexpr std::size_t tried_by_other_methods = 400;
 /// Ends of a surface lie at least this share of the whole relief apart in height.
 constexpr double least_fall_share = 0.08;
 /// Bends of the arc tried, as a share of the largest whose upper end is vertical.
@@ -57,7 +60,9 @@ std::vector<FoundSurface> best_of_neighbourhoods(std::vector<FoundSurface> all, 
   return best;
 }
 
-std::vector<FoundSurface> coarse_grid(const SlopeModel& model, const GroundPath& path) {
+}  // namespace
+
+std::vector<FoundSurface> surface_grid(const SlopeModel& model, const GroundPath& path) {
   const std::vector<double> stations = path.stations(stations_on_ground);
   const auto [low, high] = std::ranges::minmax(model.ground, {}, &Point::z);
   const double least_fall = least_fall_share * (high.z - low.z);
@@ -78,10 +83,9 @@ std::vector<FoundSurface> coarse_grid(const SlopeModel& model, const GroundPath&
       }
     }
   }
+  std::ranges::sort(all, {}, &FoundSurface::factor);
   return all;
 }
-
-}  // namespace
 
 TrialSurface surface_of(const GroundPath& path, const SurfaceCoordinates& at) {
   TrialSurface s{path.at(at.left), path.at(at.right), 0, at.floor};
@@ -107,9 +111,18 @@ double factor_of(const SlopeModel& model, const TrialSurface& surface, Method me
 }
 
 std::vector<FoundSurface> find_critical_surfaces(const SlopeModel& model, const GroundPath& path,
-                                                 std::size_t most) {
-  std::vector<FoundSurface> found = best_of_neighbourhoods(coarse_grid(model, path), most);
-  for (FoundSurface& surface : found) surface = refine(model, path, surface, Method::bishop);
+                                                 const std::vector<FoundSurface>& grid,
+                                                 Method method, std::size_t most) {
+  std::vector<FoundSurface> found = grid;
+  if (method != Method::bishop) {
+    found.resize(std::min(found.size(), tried_by_other_methods));
+    for (FoundSurface& s : found) {
+      s.factor = factor_of(model, surface_of(path, s.at), method, coarse_slices);
+    }
+    std::erase_if(found, [](const FoundSurface& s) { return !(s.factor < none); });
+  }
+  found = best_of_neighbourhoods(std::move(found), most);
+  for (FoundSurface& surface : found) surface = refine(model, path, surface, method);
   std::erase_if(found, [](const FoundSurface& s) { return !(s.factor < none); });
   std::ranges::sort(found, {}, &FoundSurface::factor);
   return found;

@@ -28,10 +28,15 @@ TrialSurface surface_of(const GroundPath& path, const SurfaceCoordinates& at);
 /// Factor of one surface; infinity where it is not admissible.
 double factor_of(const SlopeModel& model, const TrialSurface& surface, Method method, int slices);
 
-/// Bishop over a grid of arcs; the best few of distinct neighbourhoods, each then refined.
-/// @return the least factor first; empty where nothing slopes
+/// Bishop over a grid of arcs, the least factor first; empty where nothing slopes.
+std::vector<FoundSurface> surface_grid(const SlopeModel& model, const GroundPath& path);
+
+/// The best of the grid by a method, a few from distinct neighbourhoods, each then refined.
+/// @param most how many neighbourhoods
+/// @return the least factor first; empty where the method has no solution anywhere
 std::vector<FoundSurface> find_critical_surfaces(const SlopeModel& model, const GroundPath& path,
-                                                 std::size_t most);
+                                                 const std::vector<FoundSurface>& grid,
+                                                 Method method, std::size_t most);
 
 /// Moves the ends along the ground and bends the arc until the factor is least (Nelder and Mead
 /// 1965), then takes that factor with many slices.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/screening/critical_surface.hpp"
 
@@ -11,6 +10,7 @@ namespace {
 
 /// Neighbourhoods of the coarse grid that are searched further.
 constexpr std::size_t starts = 5;
+constexpr std::size_t starts_of_other_methods = 3;
 
 std::string undrained_only(const Section& section) {
   for (const Layer& layer : section.layers) {
@@ -22,13 +22,10 @@ std::string undrained_only(const Section& section) {
 }
 
 std::optional<double> least(const SlopeModel& model, const GroundPath& path,
-                            const std::vector<FoundSurface>& from, Method method) {
-  double factor = std::numeric_limits<double>::infinity();
-  for (const FoundSurface& start : from) {
-    factor = std::min(factor, refine(model, path, start, method).factor);
-  }
-  if (!std::isfinite(factor)) return std::nullopt;
-  return factor;
+                            const std::vector<FoundSurface>& grid, Method method) {
+  const auto found = find_critical_surfaces(model, path, grid, method, starts_of_other_methods);
+  if (found.empty()) return std::nullopt;
+  return found.front().factor;
 }
 
 CriticalSurface describe(const SlopeModel& model, const GroundPath& path,
@@ -51,23 +48,24 @@ FactorsOfSafety factors_of_safety(const Section& section, const Polyline& ground
   if (!factors.why_not.empty()) return factors;
   const SlopeModel model(section, ground, drainage);
   const GroundPath path(ground);
-  const std::vector<FoundSurface> found = find_critical_surfaces(model, path, starts);
+  const std::vector<FoundSurface> grid = surface_grid(model, path);
+  const auto found = find_critical_surfaces(model, path, grid, Method::bishop, starts);
   if (found.empty()) {
     factors.why_not = "no slip surface: the ground has no slope";
     return factors;
   }
-  const std::vector<FoundSurface> best(
-      found.begin(), found.begin() + std::min<std::ptrdiff_t>(3, std::ssize(found)));
   factors.bishop = found.front().factor;
-  factors.spencer = least(model, path, best, Method::spencer);
-  factors.morgenstern_price = least(model, path, best, Method::morgenstern_price);
+  factors.spencer = least(model, path, grid, Method::spencer);
+  factors.morgenstern_price = least(model, path, grid, Method::morgenstern_price);
   factors.surface = describe(model, path, found.front());
   return factors;
 }
 
 std::optional<double> undrained_bishop(const Section& section, const Polyline& ground) {
   const SlopeModel model(section, ground, Drainage::undrained);
-  const std::vector<FoundSurface> found = find_critical_surfaces(model, GroundPath(ground), starts);
+  const GroundPath path(ground);
+  const auto grid = surface_grid(model, path);
+  const auto found = find_critical_surfaces(model, path, grid, Method::bishop, starts);
   if (found.empty()) return std::nullopt;
   return found.front().factor;
 }

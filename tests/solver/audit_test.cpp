@@ -1,0 +1,42 @@
+#include "solver/audit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/solver/block.hpp"
+
+namespace leda::solver::test {
+namespace {
+
+// A swinging elastic column: what motion loses, stress and gravity gain.
+TEST(Audit, EnergyOfASwingingColumnIsBalanced) {
+  Block b(0.5, 1, 14, 0, 0, 1, 10, {1e6, 0.2, 1500, 1e30});
+  EnergyAudit audit = begin_audit(b.particles, b.grid.h);
+  const StepSettings settings{b.time_step(0.25), 9.81, 0.0, true};
+  for (int i = 0; i < 2000; ++i) {
+    if (i % 10 == 0) sort_particles(b.particles, b.grid);
+    audit.add(step(b.particles, b.grid, b.laws, settings), settings);
+  }
+  EXPECT_GT(audit.kinetic_peak, 0.1 * audit.scale());
+  EXPECT_LT(audit.error(), 0.02);
+  EXPECT_GE(audit.transfer_loss, 0);
+}
+
+TEST(Audit, EnergyOutOfNothingIsSeen) {
+  EnergyAudit audit;
+  audit.least_scale = 1;
+  StepSums sums;
+  audit.add(sums, {0.1, 9.81, 0, true});
+  sums.grid.kinetic_after = 100;  // no work was done
+  audit.add(sums, {0.1, 9.81, 0, true});
+  EXPECT_GT(audit.error(), 0.9);
+}
+
+TEST(Audit, MissingMassIsSeen) {
+  Block b(0.5, 10, 10, 3, 3, 3, 3, {});
+  EXPECT_LT(transfer_balance(b.particles, b.grid).mass, 1e-13);
+  b.grid.top[8] = 0;  // a column of nodes left out
+  EXPECT_GT(transfer_balance(b.particles, b.grid).mass, 1e-3);
+}
+
+}  // namespace
+}  // namespace leda::solver::test

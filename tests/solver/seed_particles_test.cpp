@@ -1,0 +1,67 @@
+#include "solver/seed_particles.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/solver/bank.hpp"
+
+namespace leda::solver::test {
+namespace {
+
+TEST(SeedParticles, FillTheSectionWithItsMass) {
+  const Section s = bank(10, 45, 20e3);
+  const Seeded seeded = seed_particles(s, {0.5, 4, 0});
+  double mass = 0;
+  for (std::size_t i = 0; i < seeded.particles.count; ++i) mass += seeded.particles.mass[i];
+  // 40 x 13 plateau, 10 x 13 - 50 face, 30 x 3 floor
+  const double area = 520 + 80 + 90;
+  EXPECT_NEAR(mass, area * 17e3 / gravity, 0.01 * area * 17e3 / gravity);
+}
+
+TEST(SeedParticles, K0ActsOnEffectiveStress) {
+  const Section s = bank(10, 45, 20e3);
+  const Seeded seeded = seed_particles(s, {1, 4, 0});
+  const Particles& p = seeded.particles;
+  for (std::size_t i = 0; i < p.count; ++i) {
+    if (p.x[i] > 39) continue;
+    const double depth = 13 - p.z[i];
+    const double vertical = 17e3 * depth, u = water_unit_weight * depth;
+    EXPECT_NEAR(p.szz[i], -vertical, 1e-6 * vertical);
+    EXPECT_NEAR(p.sxx[i], -(0.5 * (vertical - u) + u), 1e-6 * vertical);
+    EXPECT_DOUBLE_EQ(p.syy[i], p.sxx[i]);
+  }
+}
+
+TEST(SeedParticles, OverburdenAddsUpTheLayers) {
+  Section s = bank(10, 45, 20e3);
+  Material crust = s.materials["clay"];
+  crust.unit_weight = 19e3;
+  s.materials["crust"] = crust;
+  Layer top;
+  top.material = "crust";
+  top.thickness_m = 2;
+  s.layers.insert(s.layers.begin(), top);
+  EXPECT_NEAR(overburden(s, {5, 5}), 2 * 19e3 + 3 * 17e3, 1e-6);
+  EXPECT_NEAR(overburden(s, {5, 9}), 19e3, 1e-6);
+}
+
+TEST(SeedParticles, ASeedMovesThemByAMicrometreAtMost) {
+  const Section s = bank(5, 45, 20e3);
+  const Seeded a = seed_particles(s, {1, 4, 0}), b = seed_particles(s, {1, 4, 7});
+  ASSERT_EQ(a.particles.count, b.particles.count);
+  double most = 0;
+  for (std::size_t i = 0; i < a.particles.count; ++i) {
+    most = std::max(most, std::abs(a.particles.x[i] - b.particles.x[i]));
+  }
+  EXPECT_GT(most, 1e-8);
+  EXPECT_LE(most, 1e-6);
+}
+
+TEST(SeedParticles, NineParticlesACellStandOnAThirdOfACell) {
+  const Section s = bank(5, 45, 20e3);
+  const Seeded seeded = seed_particles(s, {1, 9, 0});
+  EXPECT_NEAR(seeded.spacing, 1.0 / 3, 1e-12);
+  EXPECT_NEAR(seeded.particles.volume[0], 1.0 / 9, 1e-12);
+}
+
+}  // namespace
+}  // namespace leda::solver::test

@@ -1,0 +1,31 @@
+#include "solver/trigger.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/solver/bank.hpp"
+
+namespace leda::solver::test {
+namespace {
+
+TEST(Trigger, AToeCutStandsWhereTheGroundIsThatHigh) {
+  const Section s = bank(10, 45, 20e3);
+  const Polyline cut = toe_cut(s, {{40, 10}, {50, 0}}, 3);
+  EXPECT_NEAR(cut[1].x, 47, 0.01);  // 45 degrees: 3 m behind the toe the ground is 3 m high
+  EXPECT_TRUE(is_inside(cut, {48, 1}));
+  EXPECT_FALSE(is_inside(cut, {46.5, 1}));
+  EXPECT_FALSE(is_inside(cut, {48, -0.5}));
+}
+
+TEST(Trigger, ExcavationTakesAwayTheParticlesInside) {
+  const Section s = bank(10, 45, 20e3);
+  RunState run;
+  run.seeded = seed_particles(s, {1, 4, 0});
+  const std::size_t before = run.seeded.particles.count;
+  // A square of 2 m of the plateau: 4 m2 are 16 particles.
+  EXPECT_EQ(excavate(run, {{10, 6}, {12, 6}, {12, 8}, {10, 8}}), 16U);
+  EXPECT_EQ(run.seeded.particles.count, before - 16);
+  EXPECT_EQ(excavate(run, {{200, 6}, {202, 6}, {202, 8}}), 0U);
+}
+
+}  // namespace
+}  // namespace leda::solver::test
