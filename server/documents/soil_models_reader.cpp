@@ -58,6 +58,7 @@ void read_where(ObjectReader& reader, std::size_t& points_left, SoilModel& model
   if (!where->is_array() || where->empty()) {
     faults.add(at, (where->is_array() ? "is an empty list" : "is " + kind_of(*where)) +
                        std::string(", must be a list of polygons, each a list of [x, y]"));
+    model.where.emplace_back();  // it was not meant to apply everywhere
     return;
   }
   for (std::size_t i = 0; i < where->size(); ++i) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "server/documents/softening_names.hpp"
 
 namespace leda::server {
@@ -29,7 +31,8 @@ Strength read_strength_table(const json& value, const std::string& at, FaultList
   for (std::size_t i = 0; i < table.size(); ++i) {
     const auto row =
         read_pair(table[i], fmt::format("{}/{}", table_at, i), "a row [m, kPa]", faults);
-    if (row) strength.table.push_back({(*row)[0], (*row)[1] * kilo});
+    // A row at fault keeps its place, so that the pointers of later ones stay right.
+    strength.table.push_back(row ? std::array{(*row)[0], (*row)[1] * kilo} : std::array{NAN, NAN});
   }
   return strength;
 }
@@ -70,7 +73,9 @@ double read_shear_modulus(ObjectReader& reader, double poisson_ratio, ReadMateri
   return *youngs / (2 * (1 + poisson_ratio)) * kilo;
 }
 
-Softening read_softening(const json& value, const std::string& at, FaultList& faults) {
+/// Nothing where the law is not known: what its members mean is not known either.
+std::optional<Softening> read_softening(const json& value, const std::string& at,
+                                        FaultList& faults) {
   Softening softening;
   ObjectReader reader(value, at, faults);
   const std::string law = reader.text("law");
@@ -89,8 +94,8 @@ Softening read_softening(const json& value, const std::string& at, FaultList& fa
                  "is \"" + text + "\", must be one of beta, whole-curve, none");
     }
   }
-  // Without its law nobody knows which members belong.
-  if (softening_named(law)) reader.refuse_unknown();
+  if (!softening_named(law)) return std::nullopt;
+  reader.refuse_unknown();
   return softening;
 }
 

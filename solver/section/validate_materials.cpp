@@ -19,7 +19,7 @@ void check_strength_table(const Strength& strength, const std::string& at, Fault
     faults.positive(row + "/1", value / kilo, "kPa");
     if (!faults.within(row + "/0", where, !depth || where >= 0, "a depth of at least 0 m"))
       continue;
-    if (i > 0 && !(where > strength.table[i - 1][0])) {
+    if (i > 0 && where <= strength.table[i - 1][0]) {
       faults.add(row + "/0", "is " + show(where) + " m, must be greater than the row before it (" +
                                  show(strength.table[i - 1][0]) + " m)");
     }

@@ -38,6 +38,8 @@ struct Case {
   std::multiset<std::string> expected;
 };
 
+void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+
 class Validate : public testing::TestWithParam<Case> {};
 
 TEST_P(Validate, NamesExactlyTheFaults) {

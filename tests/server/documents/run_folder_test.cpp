@@ -1,0 +1,102 @@
+#include "server/documents/run_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "db/result_file.hpp"
+#include "server/documents/case_file.hpp"
+#include "server/documents/result_document.hpp"
+#include "tests/server/documents/read_data.hpp"
+
+namespace leda::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RunFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder =
+        fs::temp_directory_path() / ("leda-run-" + std::to_string(getpid()) + "-" + info->name());
+    fs::remove_all(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::string read(const char* name) const {
+    std::ifstream in(folder / name);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  fs::path folder;
+};
+
+TEST_F(RunFolder, ARunLeavesEverythingAndTheResultLast) {
+  const std::string text = test::read_case("small-bank.json");
+  int heard = 0;
+  RunOptions options;
+  options.progress = [&](const solver::Progress& p) {
+    ++heard;
+    EXPECT_GE(p.fraction, 0);
+    EXPECT_LE(p.fraction, 1);
+    EXPECT_FALSE(fs::exists(folder / "result.json"));
+  };
+  const RunOutcome outcome = run_case(text, folder, options);
+  ASSERT_EQ(outcome.code, ExitCode::result);
+  EXPECT_GT(heard, 0);
+  const auto result = parse_result(read("result.json"));
+  ASSERT_TRUE(result) << test::text(result.faults);
+  EXPECT_EQ(result.value->case_sha256, case_sha256(*parse_case_file(text).value));
+  EXPECT_GT(result.value->particles, 0);
+  EXPECT_EQ(read("profile_after.csv"), profile_csv(result.value->profile_after));
+  const auto progress = nlohmann::json::parse(read("progress.json"));
+  EXPECT_TRUE(progress["fraction"].is_number());
+  EXPECT_FALSE(progress["stage"].get<std::string>().empty());
+  const auto frames = db::read_result_file(folder / "fields.h5");
+  ASSERT_GE(frames.size(), 2u);
+  EXPECT_EQ(frames.back().x.size(), std::size_t(result.value->particles));
+  EXPECT_TRUE(fs::exists(folder / "view.pvd"));
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+  }
+}
+
+TEST_F(RunFolder, AnInvalidCaseChangesNothing) {
+  const RunOutcome outcome = run_case("{}", folder);
+  EXPECT_EQ(outcome.code, ExitCode::invalid);
+  EXPECT_EQ(outcome.faults.size(), 6u);
+  EXPECT_FALSE(outcome.result);
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST_F(RunFolder, AnInterruptedRunLeavesNoResultAndRunsAgain) {
+  const std::string text = test::read_case("small-bank.json");
+  RunOptions options;
+  options.interrupted = [] { return true; };
+  const RunOutcome outcome = run_case(text, folder, options);
+  EXPECT_EQ(outcome.code, ExitCode::interrupted);
+  EXPECT_FALSE(outcome.result);
+  EXPECT_FALSE(fs::exists(folder / "result.json"));
+  EXPECT_FALSE(fs::exists(folder / "fields.h5"));
+  EXPECT_EQ(run_case(text, folder).code, ExitCode::result);
+  EXPECT_TRUE(fs::exists(folder / "result.json"));
+}
+
+TEST_F(RunFolder, WhatCannotBeWrittenIsNamed) {
+  std::ofstream(folder.string()) << "a file where the folder should be";
+  EXPECT_THROW(run_case(test::read_case("small-bank.json"), folder), std::runtime_error);
+  EXPECT_THROW(write_whole(folder / "x.json", "{}"), std::runtime_error);
+}
+
+TEST_F(RunFolder, WriteWholeReplaces) {
+  fs::create_directories(folder);
+  write_whole(folder / "a.txt", "first, longer");
+  write_whole(folder / "a.txt", "second");
+  EXPECT_EQ(read("a.txt"), "second");
+  EXPECT_FALSE(fs::exists(folder / "a.txt.part"));
+}
+
+}  // namespace
+}  // namespace leda::server
