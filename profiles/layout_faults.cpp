@@ -139,8 +139,8 @@ class Checker {
       last = along;
     }
     if (!first) return;
-    add(pointer, fmt::format("runs over ground without data from {:.1f} m ({}) to {:.1f} m ({}) of "
-                             "its length: move or shorten it",
+    add(pointer, fmt::format("runs over ground without data from {:.1f} m {} to {:.1f} m {} of its "
+                             "length: move or shorten it",
                              *first * unit, text_of(point_at(line, *first)), *last * unit,
                              text_of(point_at(line, *last))));
   }

@@ -51,8 +51,11 @@ DatasetHandle create_tiled(const fs::path& file, const Dem& dem) {
   OGRSpatialReference crs;
   crs.importFromEPSG(info.epsg);
   dataset->SetSpatialRef(&crs);
-  const MapPoint o = dem.to_map(0, 0), x = dem.to_map(1, 0), y = dem.to_map(0, 1);
-  double transform[] = {o.x, x.x - o.x, y.x - o.x, o.y, x.y - o.y, y.y - o.y};
+  // Over the whole width and height: rounding then stays below a cell's millionth part.
+  const double w = info.width, h = info.height;
+  const MapPoint o = dem.to_map(0, 0), x = dem.to_map(w, 0), y = dem.to_map(0, h);
+  double transform[] = {o.x, (x.x - o.x) / w, (y.x - o.x) / h,
+                        o.y, (x.y - o.y) / w, (y.y - o.y) / h};
   dataset->SetGeoTransform(transform);
   dataset->GetRasterBand(1)->SetNoDataValue(written_nodata);
   dataset->GetRasterBand(1)->SetUnitType(info.vertical_unit.c_str());

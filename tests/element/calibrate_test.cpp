@@ -55,7 +55,8 @@ TEST(Calibrate, WholeCurveKeepsEveryEnergyAndBetaKeepsOnlyTheExcess) {
   const Calibration whole = calibrated(0.5, Regularization::whole_curve);
   EXPECT_NEAR(whole.cell_total, whole.reference_total, 1e-9 * whole.reference_total);
   const Calibration beta = calibrated(0.5, Regularization::beta);
-  // Plateau and tail keep their strains: about 36 times the energy of the specimen at 0.5 m.
+  // Plateau and tail keep their strains: 36 times what they did
+  // at 0.5 m, which makes the whole 24 times the energy of the specimen.
   EXPECT_NEAR(beta.cell_total / beta.reference_total, 24.3, 0.1);
 }
 
