@@ -32,7 +32,8 @@ Strength read_strength_table(const json& value, const std::string& at, FaultList
     const auto row =
         read_pair(table[i], fmt::format("{}/{}", table_at, i), "a row [m, kPa]", faults);
     // A row at fault keeps its place, so that the pointers of later ones stay right.
-    strength.table.push_back(row ? std::array{(*row)[0], (*row)[1] * kilo} : std::array{NAN, NAN});
+    strength.table.push_back(row ? std::array{(*row)[0], (*row)[1] * kilo}
+                                 : std::array<double, 2>{NAN, NAN});
   }
   return strength;
 }
