@@ -44,6 +44,7 @@ std::optional<std::string> null_if_empty(const std::string& text) {
 
 std::string state_words(const std::vector<JobState>& states) {
   std::vector<std::string> words;
+  words.reserve(states.size());
   for (const JobState state : states) words.emplace_back(to_string(state));
   return to_json(words);
 }

@@ -21,7 +21,7 @@ class Reader {
     keep_hdf5_quiet();
     if (!std::filesystem::is_regular_file(file)) fail("no such file");
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_file_locking(access, 1, 1);
+    H5Pset_file_locking(access, true, true);
     const std::string name = file.string();
     file_ = Hdf5Handle(check(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access),
                              "not a whole HDF5 file (truncated, damaged or of another kind)"),
@@ -32,7 +32,7 @@ class Reader {
            (format.empty() ? "" : format.front()) + "\", should be \"leda-fields-1\"");
   }
 
-  std::vector<std::string> strings(const char* attribute) const;
+  std::vector<std::string> strings(const char* name) const;
   std::vector<Frame> frames() const;
 
  private:

@@ -22,7 +22,7 @@ Hdf5Handle access_properties() {
   // The 1.10 format checks its own structure, and marks a file that was not closed.
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
   // Cluster file systems without locks are no reason to fail: a run has one writer.
-  H5Pset_file_locking(access, 1, 1);
+  H5Pset_file_locking(access, true, true);
   return access;
 }
 
@@ -43,22 +43,23 @@ struct ResultFileWriter::File {
     return hdf5(answer, place.file(), what);
   }
 
-  void write_strings(const char* name, const std::vector<std::string>& words, bool scalar);
-  void describe(hid_t dataset, const char* unit, const char* meaning);
-  Hdf5Handle make_series(const char* name, hid_t type);
+  void write_strings(const char* name, const std::vector<std::string>& words, bool scalar) const;
+  void describe(hid_t dataset, const char* unit, const char* meaning) const;
+  Hdf5Handle make_series(const char* name, hid_t type) const;
   Hdf5Handle make_table(const char* name, hid_t type, hid_t memory_type, const void* fill,
-                        hsize_t chunk);
+                        hsize_t chunk) const;
   void make_datasets(hsize_t particles_of_first_frame);
-  void write_row(hid_t dataset, hid_t memory_type, const void* values, hsize_t count);
-  void write_value(hid_t dataset, hid_t memory_type, const void* value);
+  void write_row(hid_t dataset, hid_t memory_type, const void* values, hsize_t count) const;
+  void write_value(hid_t dataset, hid_t memory_type, const void* value) const;
 
  private:
   void write_attribute(hid_t object, const char* name, const std::vector<std::string>& words,
-                       bool scalar);
+                       bool scalar) const;
 };
 
 void ResultFileWriter::File::write_attribute(hid_t object, const char* name,
-                                             const std::vector<std::string>& words, bool scalar) {
+                                             const std::vector<std::string>& words,
+                                             bool scalar) const {
   std::size_t width = 1;
   for (const std::string& word : words) width = std::max(width, word.size());
   const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -78,16 +79,16 @@ void ResultFileWriter::File::write_attribute(hid_t object, const char* name,
 }
 
 void ResultFileWriter::File::write_strings(const char* name, const std::vector<std::string>& words,
-                                           bool scalar) {
+                                           bool scalar) const {
   write_attribute(file, name, words, scalar);
 }
 
-void ResultFileWriter::File::describe(hid_t dataset, const char* unit, const char* meaning) {
+void ResultFileWriter::File::describe(hid_t dataset, const char* unit, const char* meaning) const {
   write_attribute(dataset, "unit", {unit}, true);
   write_attribute(dataset, "meaning", {meaning}, true);
 }
 
-Hdf5Handle ResultFileWriter::File::make_series(const char* name, hid_t type) {
+Hdf5Handle ResultFileWriter::File::make_series(const char* name, hid_t type) const {
   const hsize_t none = 0;
   const hsize_t unlimited = H5S_UNLIMITED;
   const hsize_t chunk = 256;
@@ -100,7 +101,7 @@ Hdf5Handle ResultFileWriter::File::make_series(const char* name, hid_t type) {
 }
 
 Hdf5Handle ResultFileWriter::File::make_table(const char* name, hid_t type, hid_t memory_type,
-                                              const void* fill, hsize_t chunk_particles) {
+                                              const void* fill, hsize_t chunk_particles) const {
   const std::array<hsize_t, 2> none = {0, 0};
   const std::array<hsize_t, 2> unlimited = {H5S_UNLIMITED, H5S_UNLIMITED};
   const std::array<hsize_t, 2> chunk = {1, chunk_particles};
@@ -132,7 +133,7 @@ void ResultFileWriter::File::make_datasets(hsize_t particles_of_first_frame) {
 }
 
 void ResultFileWriter::File::write_row(hid_t dataset, hid_t memory_type, const void* values,
-                                       hsize_t count) {
+                                       hsize_t count) const {
   const std::array<hsize_t, 2> extent = {frames + 1, columns};
   check(H5Dset_extent(dataset, extent.data()), "extend");
   if (count == 0) return;
@@ -144,7 +145,8 @@ void ResultFileWriter::File::write_row(hid_t dataset, hid_t memory_type, const v
   check(H5Dwrite(dataset, memory_type, source, target, H5P_DEFAULT, values), "write");
 }
 
-void ResultFileWriter::File::write_value(hid_t dataset, hid_t memory_type, const void* value) {
+void ResultFileWriter::File::write_value(hid_t dataset, hid_t memory_type,
+                                         const void* value) const {
   const hsize_t extent = frames + 1;
   const hsize_t one = 1;
   check(H5Dset_extent(dataset, &extent), "extend");

@@ -1,9 +1,8 @@
 #include "db/store.hpp"
 
-#include <array>
+#include <fmt/chrono.h>
+
 #include <chrono>
-#include <cstdio>
-#include <ctime>
 
 #include "db/connection.hpp"
 #include "db/migrate.hpp"
@@ -20,15 +19,8 @@ Store::~Store() = default;
 std::string utc_now() {
   using namespace std::chrono;
   const auto now = floor<milliseconds>(system_clock::now());
-  const std::time_t second = system_clock::to_time_t(now);
-  std::tm utc{};
-  gmtime_r(&second, &utc);
-  std::array<char, 32> date{};
-  std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%S", &utc);
-  std::array<char, 8> fraction{};
-  const auto ms = static_cast<int>(now.time_since_epoch().count() % 1000);
-  std::snprintf(fraction.data(), fraction.size(), ".%03dZ", ms);
-  return std::string(date.data()) + fraction.data();
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(system_clock::to_time_t(now)),
+                     now.time_since_epoch().count() % 1000);
 }
 
 }  // namespace leda::db

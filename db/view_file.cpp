@@ -3,14 +3,15 @@
 
 #include "db/view_file.hpp"
 
-#include <array>
+#include <fmt/format.h>
+
 #include <bit>
 #include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "db/frame_fields.hpp"
 #include "db/new_file.hpp"
@@ -108,15 +109,14 @@ void write_whole(const std::filesystem::path& path, const std::string& bytes) {
 
 }  // namespace
 
-ViewWriter::ViewWriter(const std::filesystem::path& folder) : folder_(folder) {}
+ViewWriter::ViewWriter(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
 void ViewWriter::append(const Frame& frame) {
   require_equal_lengths(frame);
   std::filesystem::create_directories(folder_ / "view");
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "view/frame-%04zu.vtu", entries_.size() + 1);
-  write_whole(folder_ / name.data(), vtu(frame));
-  entries_.push_back({frame.time_s, name.data()});
+  const std::string name = fmt::format("view/frame-{:04}.vtu", entries_.size() + 1);
+  write_whole(folder_ / name, vtu(frame));
+  entries_.push_back({frame.time_s, name});
 }
 
 void ViewWriter::close() {

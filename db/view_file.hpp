@@ -15,7 +15,7 @@ namespace leda::db {
 class ViewWriter {
  public:
   /// @param folder an existing folder, that of the run's results
-  explicit ViewWriter(const std::filesystem::path& folder);
+  explicit ViewWriter(std::filesystem::path folder);
 
   /// Throws std::invalid_argument where the frame's arrays differ in length, and
   /// std::runtime_error naming the file that could not be written.

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Installs what deploy/packages.txt names and this Debian 12 does not have yet.
+#   deploy/install.sh            to build, test and run
+#   deploy/install.sh --develop  also what work on the code needs
+# Needs root or sudo only when something is missing; quick and silent otherwise.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+case "${1:-}" in
+  "") until='^\[develop\]' ;;
+  --develop) until='^$a' ;;  # matches no line: read to the end
+  *) echo "usage: deploy/install.sh [--develop]" >&2; exit 2 ;;
+esac
+
+wanted=$(sed -e "/$until/,\$d" -e 's/#.*//' -e '/^\[/d' packages.txt)
+missing=()
+for package in $wanted; do
+  state=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [[ $state == installed ]] || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+as_root=()
+if ((EUID != 0)); then
+  if ! command -v sudo >/dev/null; then
+    echo "missing packages; as root: apt-get install ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+echo "installing: ${missing[*]}"
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -y -qq --no-install-recommends "${missing[@]}"
