@@ -6,8 +6,8 @@
 // low and gentle ones, on whichever side they are.
 //
 // Real slopes are rounded, so a second pass within that bank raises the limit to a third of the
-// slope of its steepest third (of the height): gentle ground above the crest and talus below the
-// toe are left out.
+// slope of its steepest third (of the height), at most to 1 in 5: gentle ground above the crest and
+// talus below the toe are left out, a face that is steep below and 12 degrees above is kept whole.
 
 #include "solver/section/crest_and_toe.hpp"
 
@@ -18,6 +18,7 @@ namespace leda {
 namespace {
 
 constexpr double flattest_face = 0.1;  ///< slope, rise over run
+constexpr double steepest_limit = 0.2;
 constexpr double share_of_steepest = 1.0 / 3;
 
 struct Stretch {
@@ -61,8 +62,8 @@ double slope_of_steepest_third(const Polyline& ground, const Stretch& bank) {
 Stretch bank_falling_right(const Polyline& ground) {
   Stretch bank = steepest_stretch(ground, 0, ground.size() - 1, flattest_face);
   if (bank.first == bank.last) return bank;
-  const double limit =
-      std::clamp(share_of_steepest * slope_of_steepest_third(ground, bank), flattest_face, 1.0);
+  const double limit = std::clamp(share_of_steepest * slope_of_steepest_third(ground, bank),
+                                  flattest_face, steepest_limit);
   const Stretch face = steepest_stretch(ground, bank.first, bank.last, limit);
   if (face.first != face.last) {
     bank.first = face.first;

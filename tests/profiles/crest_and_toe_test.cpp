@@ -50,6 +50,15 @@ TEST(CrestAndToe, VerticalFace) {
   EXPECT_EQ(bank->toe, (Point{10, 0}));
 }
 
+// As Saint-Jude (thesis 4.5): 40 degrees near the toe, 12 to 20 degrees above, then flat.
+TEST(CrestAndToe, AFaceThatIsSteepBelowAndGentlerAboveIsOneBank) {
+  const auto bank =
+      find_crest_and_toe({{0, 28}, {100, 28}, {125, 22.7}, {150, 13.6}, {161.2, 4.2}, {180, 4.2}});
+  ASSERT_TRUE(bank);
+  EXPECT_EQ(bank->crest, (Point{100, 28}));
+  EXPECT_EQ(bank->toe, (Point{161.2, 4.2}));
+}
+
 // A plateau that dips 2 % with ripples, a rounded crest, a bench half-way down, talus at 1 in 8,
 // and a flood plain with a channel: found within a few metres of where a person puts them.
 TEST(CrestAndToe, RoundedGroundWithABenchAndTalus) {
