@@ -11,8 +11,7 @@
 namespace leda::server {
 namespace {
 
-/// Each input with its schema; the shared definitions go along, so that each stands alone.
-nlohmann::json inputs_of(PublishedSchema which) {
+nlohmann::json description_of(PublishedSchema which) {
   const auto& whole = published_schema(which);
   const auto& inputs = whole["properties"]["inputs"];
   nlohmann::json described;
@@ -23,22 +22,21 @@ nlohmann::json inputs_of(PublishedSchema which) {
                        {"minOccurs", wanted ? 1 : 0},
                        {"maxOccurs", 1},
                        {"schema", schema}};
-    described[name]["schema"]["definitions"] = whole["definitions"];
   }
-  return described;
+  return {{"inputs", described}, {"definitions", whole["definitions"]}};
 }
 
-nlohmann::json region_inputs() { return inputs_of(PublishedSchema::region_request); }
-nlohmann::json section_inputs() { return inputs_of(PublishedSchema::simulate_request); }
+nlohmann::json describe_region() { return description_of(PublishedSchema::region_request); }
+nlohmann::json describe_section() { return description_of(PublishedSchema::simulate_request); }
 
 constexpr std::array table{
     Process{"map-region", "Map the hazard of a region",
             "Cuts sections from a DEM, simulates them and joins retrogression and runout to "
             "release and runout zones",
-            open_region, region_inputs},
+            open_region, describe_region},
     Process{"simulate-section", "Simulate one section",
             "Runs one case through the material point method: retrogression and runout",
-            open_section, section_inputs},
+            open_section, describe_section},
 };
 
 }  // namespace

@@ -49,8 +49,9 @@ struct Process {
   /// Understands the execute request as sent.
   /// @throws Problem invalid_request with every fault
   std::unique_ptr<Work> (*open)(const std::string& request, const Library& library);
-  /// JSON schemas of the inputs by name, as OGC API - Processes describes them.
-  nlohmann::json (*inputs)();
+  /// "inputs" by name, as OGC API - Processes describes them, and the "definitions" that their
+  /// schemas refer to.
+  nlohmann::json (*describe)();
 };
 
 std::span<const Process> processes();

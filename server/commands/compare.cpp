@@ -20,6 +20,18 @@ struct Options {
   bool json = false;
 };
 
+std::string number_of(const nlohmann::json& value) {
+  return value.is_number() ? fmt::format("{:+.1f} m", value.get<double>()) : "unknown";
+}
+
+/// "BB' against AA': retrogression -0.7 m, runout +0.1 m"
+std::string sentence(const nlohmann::json& difference) {
+  return fmt::format("{} against {}: retrogression {}, runout {}",
+                     difference["to"].get<std::string>(), difference["from"].get<std::string>(),
+                     number_of(difference["crest_to_crest_retrogression_m"]),
+                     number_of(difference["runout_m"]));
+}
+
 int compare(const Options& options) {
   set_up_logging(true);
   const DataFolder data(options.data);
@@ -32,9 +44,8 @@ int compare(const Options& options) {
     return 0;
   }
   fmt::print("{}", section_table(records));
-  for (const auto& difference : compare_json(compared)["differences"]) {
-    fmt::print("difference {}\n", difference.dump());
-  }
+  const auto document = compare_json(compared);
+  for (const auto& difference : document["differences"]) fmt::print("{}\n", sentence(difference));
   return 0;
 }
 

@@ -66,7 +66,7 @@ Answer get_process(Service& service, const Call& call) {
   format(call, {"json"});
   const Process& process = process_or_problem(call.captured[0]);
   json document = summary_of(process, service.url);
-  document["inputs"] = process.inputs();
+  document.update(process.describe());
   document["outputs"] = {{"result",
                           {{"title", "Sections with retrogression and runout, and zones"},
                            {"schema", {{"type", "object"}}}}}};

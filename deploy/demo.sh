@@ -1,0 +1,104 @@
+#!/usr/bin/env bash
+# The demo: from a DEM to zones on a map, over HTTP, on a reconstruction of Sainte-Monique.
+#   deploy/demo.sh          results in demo-out/
+#   deploy/demo.sh FOLDER   results there
+# Installs what is missing, builds, and ends by itself. FOLDER is made anew each time.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+out=${1:-demo-out}
+deploy/install.sh
+cmake --preset release
+cmake --build --preset release --target leda write_demo_dem
+leda=build/release/leda
+
+if [[ -e $out && ! -e $out/.leda-demo ]]; then
+  echo "$out exists and is not of an earlier demo: give another folder" >&2
+  exit 2
+fi
+rm -rf "$out"
+mkdir -p "$out"
+touch "$out/.leda-demo"
+
+build/release/write_demo_dem "$out/dem.tif"
+
+"$leda" serve --data "$out/data" --listen 127.0.0.1:0 2>"$out/server.log" >"$out/server.txt" &
+server=$!
+trap 'kill "$server" 2>/dev/null || true; wait "$server" 2>/dev/null || true' EXIT
+for _ in {1..100}; do
+  [[ -s $out/server.txt ]] && break
+  kill -0 "$server" 2>/dev/null || { cat "$out/server.log" >&2; exit 1; }
+  sleep 0.1
+done
+url=$(sed -n 's/^leda serves //p' "$out/server.txt")
+echo "the server runs at $url"
+
+# Answers of the service; a problem is shown and ends the demo.
+ask() {
+  local answer
+  if ! answer=$(curl -sS --fail-with-body "$@"); then
+    echo "$answer" >&2
+    return 1
+  fi
+  printf '%s\n' "$answer"
+}
+
+# Columns parted by tabs, made as wide as they need.
+table() {
+  awk -F'\t' '
+    { for (i = 1; i <= NF; i++) { cell[NR, i] = $i; if (length($i) > width[i]) width[i] = length($i) }
+      cells[NR] = NF }
+    END { for (r = 1; r <= NR; r++) { line = "  "
+            for (i = 1; i <= cells[r]; i++) line = line sprintf("%-" width[i] "s  ", cell[r, i])
+            sub(/ +$/, "", line); print line } }'
+}
+
+echo "registering the DEM (a reconstruction, no survey)"
+ask --data-binary "@$out/dem.tif" -H 'Content-Type: image/tiff' \
+  "$url/rasters?name=sainte-monique" | jq -r '"  \(.id)  \(.crs)  \(.size[0]) x \(.size[1]) cells"'
+
+echo "submitting the region"
+job=$(ask -H 'Content-Type: application/json' --data-binary @deploy/demo/region.json \
+  "$url/processes/map-region/execution" | jq -r .jobID)
+echo "  job $job"
+
+last=
+while :; do
+  answer=$(ask "$url/jobs/$job")
+  state=$(jq -r .status <<<"$answer")
+  line=$(jq -r '"\(.progress) %  \(.message)"' <<<"$answer")
+  [[ $line == "$last" ]] || echo "  $line"
+  last=$line
+  [[ $state == accepted || $state == running ]] || break
+  sleep 1
+done
+[[ $state == successful ]] || { echo "the job is $state" >&2; exit 1; }
+
+number='def number: if . == null then "-" else (. * 10 | round / 10 | tostring) end;'
+echo
+echo "Sections"
+{
+  printf 'section\tretrogression/m\trunout/m\tstatus\trun time/s\n'
+  ask "$url/jobs/$job/sections" | jq -r "$number"'.sections[] | [.name,
+    (.crest_to_crest_retrogression_m | number), (.runout_m | number), .status,
+    (.run_time_s | number)] | @tsv'
+} | table
+
+names="AA%27,BB%27"
+comparison=$(ask "$url/jobs/$job/compare?sections=$names")
+ask "$url/jobs/$job/compare?sections=$names&f=svg" >"$out/AA-BB.svg"
+echo
+echo "AA' and BB' side by side (drawing: $out/AA-BB.svg)"
+{
+  jq -r '"\t" + ([.sections[].name] | @tsv) + "\tdifference"' <<<"$comparison"
+  jq -r "$number"'. as $c | ["crest_to_crest_retrogression_m", "runout_m", "runout_from_crest_m",
+    "slides", "run_time_s"][] as $k
+    | [$k, ($c.sections[].result[$k] | number), ($c.differences[0][$k] | number)]
+    | @tsv' <<<"$comparison"
+} | table
+
+ask "$url/jobs/$job/export?f=gpkg" -o "$out/zones.gpkg"
+ask "$url/jobs/$job/export?f=geojson" -o "$out/zones.geojson"
+echo
+echo "Zones:   $out/zones.gpkg and $out/zones.geojson (open them in QGIS)"
+echo "Data:    $out/data, served again by: $leda serve --data $out/data"

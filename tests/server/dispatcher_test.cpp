@@ -1,0 +1,248 @@
+#include "server/dispatcher.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include "tests/server/run_fixture.hpp"
+#include "tests/server/temporary_folder.hpp"
+
+namespace leda::server {
+namespace {
+
+using namespace std::chrono_literals;
+using db::JobState;
+using db::SectionState;
+
+/// Ends every run at once, as it is told to; keeps those it is told to keep.
+class ScriptedExecutor final : public Executor {
+ public:
+  using Script = std::function<std::optional<RunEnd>(const RunOrder&)>;
+  explicit ScriptedExecutor(Script script) : script_(std::move(script)) {}
+
+  std::size_t free_slots() const override { return 2 - std::min<std::size_t>(2, kept_.size()); }
+  void submit(const RunOrder& order) override {
+    if (auto end = script_(order)) {
+      ended_.push_back(*end);
+    } else {
+      kept_.push_back(order.run);
+    }
+  }
+  std::vector<RunEnd> poll() override { return std::exchange(ended_, {}); }
+  void cancel(const std::string& run) override {
+    if (std::erase(kept_, run) > 0) ended_.push_back({run, RunEnd::How::cancelled, 0, "cancelled"});
+  }
+
+ private:
+  Script script_;
+  std::vector<RunEnd> ended_;
+  std::vector<std::string> kept_;
+};
+
+RunEnd exited(const RunOrder& order, int code) {
+  return {order.run, RunEnd::How::exited, code, ""};
+}
+RunEnd killed(const RunOrder& order) {
+  return {order.run, RunEnd::How::killed, 0, "the worker died of signal 9"};
+}
+
+class DispatcherTest : public testing::Test {
+ protected:
+  /// One section, as simulate-section asks for it.
+  std::string add_job(const std::string& id = "job") {
+    db::JobRecord job;
+    job.id = id;
+    job.process = "simulate-section";
+    job.request = tests::simulate_request();
+    store.add_job(job);
+    return id;
+  }
+
+  std::unique_ptr<Dispatcher> dispatcher(ScriptedExecutor::Script script) {
+    auto made = std::make_unique<Dispatcher>(data, store, [script, this] {
+      return std::make_unique<ScriptedExecutor>([script, this](const RunOrder& order) {
+        ++submitted;
+        return script(order);
+      });
+    });
+    made->start();
+    return made;
+  }
+
+  db::JobRecord wait_for_end(const std::string& id = "job") {
+    return wait([&](const db::JobRecord& job) { return !job.finished.empty(); }, id);
+  }
+
+  db::JobRecord wait(const std::function<bool(const db::JobRecord&)>& until,
+                     const std::string& id = "job") {
+    const auto end = std::chrono::steady_clock::now() + 20s;
+    for (;;) {
+      const auto job = store.job(id).value();
+      if (until(job) || std::chrono::steady_clock::now() > end) return job;
+      std::this_thread::sleep_for(5ms);
+    }
+  }
+
+  db::SectionRecord section(const std::string& job = "job") { return store.sections(job).at(0); }
+
+  tests::TemporaryFolder folder;
+  DataFolder data{folder.path()};
+  db::Store store{data.store()};
+  std::atomic<int> submitted{0};
+};
+
+std::optional<RunEnd> with_result(const RunOrder& order) {
+  tests::leave_result(order.folder, tests::result_of_case_in(order.folder));
+  return exited(order, 0);
+}
+
+TEST_F(DispatcherTest, AResultIsTakenInAndTheJobSucceeds) {
+  add_job();
+  const auto running = dispatcher(with_result);
+  const auto job = wait_for_end();
+  EXPECT_EQ(job.state, JobState::successful) << job.message;
+  EXPECT_EQ(job.progress, 100);
+  EXPECT_EQ(section().state, SectionState::finished);
+  ASSERT_TRUE(section().result);
+  EXPECT_DOUBLE_EQ(section().result->crest_to_crest_retrogression_m, 12.5);
+  EXPECT_EQ(submitted, 1);
+}
+
+TEST_F(DispatcherTest, AWorkerThatDiesIsTriedAgainInAFolderOfItsOwn) {
+  add_job();
+  std::set<std::filesystem::path> folders;
+  const auto running = dispatcher([&](const RunOrder& order) {
+    folders.insert(order.folder);
+    return folders.size() < 3 ? std::optional(killed(order)) : with_result(order);
+  });
+  EXPECT_EQ(wait_for_end().state, JobState::successful);
+  EXPECT_EQ(folders.size(), 3U);
+  EXPECT_EQ(section().attempts, 3);
+}
+
+TEST_F(DispatcherTest, AfterThreeTriesTheSectionFailsWithItsReason) {
+  add_job();
+  const auto running = dispatcher([&](const RunOrder& order) {
+    tests::write_text(order.folder / "log.txt", "out of memory\n");
+    return killed(order);
+  });
+  const auto job = wait_for_end();
+  EXPECT_EQ(job.state, JobState::failed);
+  EXPECT_EQ(submitted, 3);
+  EXPECT_EQ(section().state, SectionState::failed);
+  EXPECT_EQ(section().reason, "the worker died of signal 9: out of memory");
+}
+
+TEST_F(DispatcherTest, AnInvalidCaseIsNotTriedAgain) {
+  add_job();
+  const auto running = dispatcher([](const RunOrder& order) { return exited(order, 2); });
+  EXPECT_EQ(wait_for_end().state, JobState::failed);
+  EXPECT_EQ(submitted, 1);
+}
+
+TEST_F(DispatcherTest, AnUnstableRunFailsButKeepsItsNumbers) {
+  add_job();
+  const auto running = dispatcher([](const RunOrder& order) {
+    auto result = tests::result_of_case_in(order.folder);
+    result.status = RunStatus::unstable;
+    result.reason = "the energy audit failed";
+    tests::leave_result(order.folder, result);
+    return exited(order, 3);
+  });
+  EXPECT_EQ(wait_for_end().state, JobState::failed);
+  EXPECT_EQ(section().state, SectionState::failed);
+  EXPECT_EQ(section().reason, "the energy audit failed");
+  EXPECT_TRUE(section().result);
+  EXPECT_EQ(submitted, 1);
+}
+
+TEST_F(DispatcherTest, ExitCodeZeroWithoutAResultIsACrash) {
+  add_job();
+  const auto running = dispatcher([](const RunOrder& order) { return exited(order, 0); });
+  EXPECT_EQ(wait_for_end().state, JobState::failed);
+  EXPECT_EQ(section().reason, "the run left no result");
+  EXPECT_EQ(submitted, 3);
+}
+
+TEST_F(DispatcherTest, ARunThatEndedWhileNobodyWatchedIsTakenInOnce) {
+  add_job();
+  std::string run;
+  {
+    const auto first = dispatcher([&](const RunOrder& order) {
+      run = order.run;
+      return std::nullopt;  // still going when the server dies
+    });
+    wait([](const db::JobRecord& job) { return job.state == JobState::running; });
+  }
+  ASSERT_EQ(section().state, SectionState::running);
+  tests::leave_result(data.run(run), tests::result_of_case_in(data.run(run)));
+  const auto second = dispatcher(with_result);
+  EXPECT_EQ(wait_for_end().state, JobState::successful);
+  EXPECT_EQ(submitted, 1);
+  EXPECT_EQ(section().run, run);
+}
+
+TEST_F(DispatcherTest, ARunThatWasCutOffStartsAnewInAnotherFolder) {
+  add_job();
+  std::string run;
+  {
+    const auto first = dispatcher([&](const RunOrder& order) {
+      run = order.run;
+      return std::nullopt;
+    });
+    wait([](const db::JobRecord& job) { return job.state == JobState::running; });
+  }
+  const auto second = dispatcher(with_result);
+  EXPECT_EQ(wait_for_end().state, JobState::successful);
+  EXPECT_NE(section().run, run);
+  EXPECT_EQ(section().attempts, 2);
+}
+
+TEST_F(DispatcherTest, AFolderLeftByATryThatWasNeverStoredIsNotUsed) {
+  add_job();
+  tests::write_text(data.runs() / "x", "");
+  std::filesystem::create_directory(data.run("job-0-1"));
+  tests::write_text(data.run("job-0-1") / "result.json", "left over");
+  const auto running = dispatcher(with_result);
+  EXPECT_EQ(wait_for_end().state, JobState::successful);
+  EXPECT_EQ(section().run, "job-0-2");
+}
+
+TEST_F(DispatcherTest, ADismissedJobEndsItsRuns) {
+  add_job();
+  const auto running = dispatcher([](const RunOrder&) { return std::nullopt; });
+  wait([](const db::JobRecord& job) { return job.state == JobState::running; });
+  running->dismiss("job");
+  EXPECT_EQ(store.job("job")->state, JobState::dismissed);
+  EXPECT_EQ(section().state, SectionState::dismissed);
+  EXPECT_EQ(running->running(), 0U);
+}
+
+TEST_F(DispatcherTest, SmallJobsDoNotWaitForLargeOnes) {
+  add_job("first");
+  add_job("second");
+  std::vector<std::string> order_of_runs;
+  const auto running = dispatcher([&](const RunOrder& order) {
+    order_of_runs.push_back(order.run);
+    return std::nullopt;
+  });
+  wait([](const db::JobRecord& job) { return job.state == JobState::running; }, "second");
+  EXPECT_EQ(order_of_runs, (std::vector<std::string>{"first-0-1", "second-0-1"}));
+}
+
+TEST_F(DispatcherTest, AJobThatIsNotUnderstoodFails) {
+  db::JobRecord job;
+  job.id = "job";
+  job.process = "map-region";
+  job.request = "{}";
+  store.add_job(job);
+  const auto running = dispatcher(with_result);
+  EXPECT_EQ(wait_for_end().state, JobState::failed);
+  EXPECT_EQ(submitted, 0);
+}
+
+}  // namespace
+}  // namespace leda::server

@@ -1,0 +1,263 @@
+#include "server/http_server.hpp"
+
+#include <gtest/gtest.h>
+#include <httplib.h>
+#include <spdlog/spdlog.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "tests/server/run_fixture.hpp"
+#include "tests/server/temporary_folder.hpp"
+
+namespace leda::server {
+namespace {
+
+using nlohmann::json;
+
+/// A server without workers that give results: for what HTTP alone decides.
+class HttpServerTest : public testing::Test {
+ protected:
+  static ServiceOptions options() {
+    ServiceOptions options;
+    options.program = "/bin/true";
+    return options;
+  }
+
+  HttpServerTest() { spdlog::set_level(spdlog::level::off); }
+
+  json ok(const std::string& path) {
+    const auto answer = client.Get(path);
+    EXPECT_TRUE(answer) << path;
+    if (!answer) return {};
+    EXPECT_EQ(answer->status, 200) << path << ": " << answer->body;
+    return json::parse(answer->body);
+  }
+
+  static void expect_problem(const httplib::Result& answer, int status, const std::string& what) {
+    ASSERT_TRUE(answer) << what;
+    EXPECT_EQ(answer->status, status) << what << ": " << answer->body;
+    EXPECT_EQ(answer->get_header_value("Content-Type"), "application/problem+json") << what;
+    ASSERT_TRUE(json::accept(answer->body)) << what << ": " << answer->body;
+    EXPECT_EQ(json::parse(answer->body)["status"], status) << what;
+  }
+
+  httplib::Result submit(const std::string& body, const std::string& key = "") {
+    httplib::Headers headers;
+    if (!key.empty()) headers.emplace("Idempotency-Key", key);
+    return client.Post("/processes/simulate-section/execution", headers, body, "application/json");
+  }
+
+  tests::TemporaryFolder folder;
+  Service service{folder.path(), options()};
+  HttpServer http{service, {"127.0.0.1", 0}};
+  httplib::Client client{service.url};
+};
+
+TEST_F(HttpServerTest, TheLandingPageLinksWhatClientsLookFor) {
+  std::set<std::string> relations;
+  for (const auto& link : ok("/")["links"]) relations.insert(link["rel"].get<std::string>());
+  for (const char* rel : {"self", "service-desc", "conformance", "data",
+                          "http://www.opengis.net/def/rel/ogc/1.0/processes",
+                          "http://www.opengis.net/def/rel/ogc/1.0/job-list"}) {
+    EXPECT_TRUE(relations.contains(rel)) << rel;
+  }
+  const auto page = client.Get("/", {{"Accept", "text/html,*/*"}});
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->get_header_value("Content-Type"), "text/html; charset=utf-8");
+}
+
+TEST_F(HttpServerTest, TheInterfaceListsEveryPath) {
+  const json api = ok("/api");
+  EXPECT_EQ(api["openapi"], "3.0.3");
+  EXPECT_TRUE(api["paths"]["/jobs/{jobID}"].contains("delete"));
+  EXPECT_EQ(api["paths"]["/jobs/{jobID}"]["get"]["parameters"][0]["name"], "jobID");
+  EXPECT_TRUE(api["paths"]["/rasters"]["post"].contains("requestBody"));
+}
+
+TEST_F(HttpServerTest, EveryReferenceOfAProcessResolves) {
+  for (const auto& process : ok("/processes")["processes"]) {
+    const json document = ok("/processes/" + process["id"].get<std::string>());
+    EXPECT_FALSE(document["inputs"].empty());
+    std::function<void(const json&)> look = [&](const json& part) {
+      if (part.is_object() && part.contains("$ref")) {
+        const auto pointer = part["$ref"].get<std::string>().substr(1);
+        EXPECT_TRUE(document.contains(json::json_pointer(pointer))) << pointer;
+      }
+      if (part.is_structured()) {
+        for (const auto& inner : part) look(inner);
+      }
+    };
+    look(document);
+  }
+}
+
+TEST_F(HttpServerTest, WhatIsNotThereIsToldAsAProblem) {
+  for (const char* path : {"/nothing", "/jobs/none", "/processes/none", "/rasters/none",
+                           "/collections/none", "/collections/sections/items/7",
+                           "/jobs/none/sections/x", "/jobs/none/events", "/jobs/%0d%0aX: y"}) {
+    expect_problem(client.Get(path), 404, path);
+  }
+}
+
+TEST_F(HttpServerTest, AWrongMethodIsToldWithTheRightOnes) {
+  const auto answer = client.Put("/jobs", "", "text/plain");
+  expect_problem(answer, 405, "PUT /jobs");
+  EXPECT_EQ(answer->get_header_value("Allow"), "GET");
+}
+
+TEST_F(HttpServerTest, ParametersAreChecked) {
+  for (const char* path :
+       {"/jobs?limit=0", "/jobs?limit=ten", "/jobs?status=done", "/jobs?surprise=1",
+        "/jobs?datetime=yesterday", "/collections/sections/items?bbox=1,2,3",
+        "/collections/sections/items?bbox=1,2,3,nan", "/collections/sections/items?limit=-1",
+        "/healthz?x=1", "/processes?f=xml"}) {
+    expect_problem(client.Get(path), 400, path);
+  }
+}
+
+TEST_F(HttpServerTest, AChunkedBodyIsRefused) {
+  const auto answer = client.Post(
+      "/processes/simulate-section/execution",
+      [](std::size_t, httplib::DataSink& sink) {
+        sink.os << "{}";
+        sink.done();
+        return true;
+      },
+      "application/json");
+  expect_problem(answer, 411, "chunked");
+}
+
+TEST_F(HttpServerTest, AFormIsRefused) {
+  const httplib::MultipartFormDataItems form{{"file", "x", "x.tif", "image/tiff"}};
+  expect_problem(client.Post("/rasters?name=x", form), 415, "multipart");
+}
+
+TEST_F(HttpServerTest, OtherSitesMayNotSteerIt) {
+  expect_problem(client.Get("/jobs", {{"Origin", "https://example.org"}}), 403, "Origin");
+  expect_problem(client.Get("/jobs", {{"Host", "rebound.example.org"}}), 403, "Host");
+  EXPECT_EQ(client.Get("/jobs", {{"Origin", service.url}})->status, 200);
+}
+
+TEST_F(HttpServerTest, ADocumentThatIsTooLargeIsRefused) {
+  expect_problem(submit(std::string((16U << 20) + 1, ' ')), 413, "17 MB of blanks");
+}
+
+TEST_F(HttpServerTest, ABodyThatIsNoRequestChangesNothing) {
+  for (const char* body : {"", "{", "[]", "null", "{\"inputs\": 1}", "\xff", "{\"inputs\": {}}",
+                           "{\"inputs\": {\"case\": {}}, \"inputs\": {}}"}) {
+    expect_problem(submit(body), 400, body);
+  }
+  EXPECT_EQ(ok("/jobs")["numberMatched"], 0);
+}
+
+TEST_F(HttpServerTest, AJobIsCommittedBeforeTheReply) {
+  const auto answer = submit(tests::simulate_request());
+  ASSERT_TRUE(answer);
+  ASSERT_EQ(answer->status, 201) << answer->body;
+  const json status = json::parse(answer->body);
+  const std::string id = status["jobID"];
+  EXPECT_EQ(answer->get_header_value("Location"), service.url + "/jobs/" + id);
+  EXPECT_EQ(status["type"], "process");
+  EXPECT_EQ(status["processID"], "simulate-section");
+  EXPECT_EQ(ok("/jobs/" + id)["jobID"], id);
+}
+
+TEST_F(HttpServerTest, TheSameKeyGivesTheSameJob) {
+  const auto first = submit(tests::simulate_request(), "key-1");
+  const auto second = submit(tests::simulate_request(), "key-1");
+  EXPECT_EQ(second->status, 201);
+  EXPECT_EQ(first->get_header_value("Location"), second->get_header_value("Location"));
+  expect_problem(submit(tests::simulate_request() + " ", "key-1"), 422, "other body");
+  expect_problem(submit(tests::simulate_request(), "a%0d%0aSet-Cookie: x"), 400, "bad key");
+  EXPECT_EQ(ok("/jobs")["numberMatched"], 1);
+}
+
+TEST_F(HttpServerTest, JobsArePagedAndFiltered) {
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(submit(tests::simulate_request())->status, 201);
+  const json first = ok("/jobs?limit=2&processID=simulate-section&type=process");
+  EXPECT_EQ(first["jobs"].size(), 2U);
+  std::string next;
+  for (const auto& link : first["links"]) {
+    if (link["rel"] == "next") next = link["href"];
+  }
+  ASSERT_FALSE(next.empty());
+  const json second = ok(next.substr(service.url.size()));
+  EXPECT_EQ(second["jobs"].size(), 1U);
+  EXPECT_EQ(ok("/jobs?processID=map-region")["numberMatched"], 0);
+  EXPECT_EQ(ok("/jobs?type=other")["numberMatched"], 0);
+  EXPECT_EQ(ok("/jobs?datetime=2000-01-01T00:00:00Z/2001-01-01T00:00:00Z")["numberMatched"], 0);
+}
+
+TEST_F(HttpServerTest, AFailedJobHasItsErrorForAResultAndMayBeRetried) {
+  const std::string id = json::parse(submit(tests::simulate_request())->body)["jobID"];
+  const std::string path = "/jobs/" + id;
+  while (ok(path)["status"] != "failed") std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  expect_problem(client.Get(path + "/results"), 500, "results of a failed job");
+  expect_problem(client.Get(path + "/export"), 500, "export of a failed job");
+  const auto retried = client.Post(path + "/retry");
+  ASSERT_TRUE(retried);
+  EXPECT_EQ(retried->status, 200) << retried->body;
+}
+
+TEST_F(HttpServerTest, ADismissedJobStaysDismissed) {
+  const std::string id = json::parse(submit(tests::simulate_request())->body)["jobID"];
+  const auto answer = client.Delete("/jobs/" + id);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 200);
+  EXPECT_EQ(json::parse(answer->body)["status"], "dismissed");
+  expect_problem(client.Get("/jobs/" + id + "/results"), 404, "results");
+  expect_problem(client.Post("/jobs/" + id + "/retry"), 409, "retry");
+}
+
+TEST_F(HttpServerTest, EventsTellTheStatusUntilTheEnd) {
+  const std::string id = json::parse(submit(tests::simulate_request())->body)["jobID"];
+  const auto answer = client.Get("/jobs/" + id + "/events");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->get_header_value("Content-Type"), "text/event-stream");
+  const auto last = answer->body.rfind("data: ");
+  ASSERT_NE(last, std::string::npos);
+  const json status = json::parse(answer->body.substr(last + 6));
+  EXPECT_EQ(status["status"], "failed");
+  const auto id_line = answer->body.rfind("id: ");
+  const auto end_of_id = answer->body.find('\n', id_line);
+  const std::string last_id = answer->body.substr(id_line + 4, end_of_id - id_line - 4);
+  EXPECT_EQ(client.Get("/jobs/" + id + "/events", {{"Last-Event-ID", last_id}})->body, "");
+}
+
+TEST_F(HttpServerTest, MetricsCountRequestsByRoute) {
+  ok("/healthz");
+  client.Get("/jobs/some-id");
+  const auto answer = client.Get("/metrics");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->get_header_value("Content-Type"), "text/plain; version=0.0.4");
+  EXPECT_NE(answer->body.find("route=\"/jobs/{jobID}\",status=\"404\""), std::string::npos);
+  EXPECT_EQ(answer->body.find("some-id"), std::string::npos);
+  EXPECT_NE(answer->body.find("leda_jobs{status=\"failed\"} 0"), std::string::npos);
+}
+
+TEST_F(HttpServerTest, RastersThatAreNoneAreRefusedAndLeaveNothing) {
+  expect_problem(client.Post("/rasters?name=x", "", "image/tiff"), 400, "empty");
+  expect_problem(client.Post("/rasters?name=x", "no raster", "image/tiff"), 400, "text");
+  expect_problem(client.Post("/rasters?name=..%2Fx", "no raster", "image/tiff"), 400, "path");
+  expect_problem(client.Post("/rasters", "no raster", "image/tiff"), 400, "no name");
+  expect_problem(client.Post("/rasters?name=x&vertical_unit=km", "x", "image/tiff"), 400, "unit");
+  EXPECT_TRUE(ok("/rasters")["rasters"].empty());
+  EXPECT_TRUE(std::filesystem::is_empty(service.data.uploads()));
+}
+
+TEST(ListenAddress, OnlyThisMachineIsServed) {
+  EXPECT_EQ(listen_address_from("127.0.0.1:0").port, 0);
+  EXPECT_EQ(listen_address_from("localhost:8080").host, "localhost");
+  EXPECT_EQ(listen_address_from("[::1]:80").host, "::1");
+  for (const char* text :
+       {"0.0.0.0:80", "192.168.1.1:80", ":80", "127.0.0.1", "127.0.0.1:", "127.0.0.1:x",
+        "127.0.0.1:70000", "127.0.0.1:-1", "[::]:80", "localhost.example.org:80"}) {
+    EXPECT_THROW(listen_address_from(text), ListenError) << text;
+  }
+}
+
+}  // namespace
+}  // namespace leda::server
