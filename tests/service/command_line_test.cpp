@@ -1,0 +1,109 @@
+// The same way without HTTP.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "tests/server/temporary_folder.hpp"
+#include "tests/service/leda_process.hpp"
+#include "tests/service/region_on_a_bank.hpp"
+
+namespace leda::tests {
+namespace {
+
+using nlohmann::json;
+
+class CommandLine : public testing::Test {
+ protected:
+  /// The bank's region with one section and the DEM as a GeoTIFF-like file of its own.
+  std::string region_file(const json& request) const {
+    const auto file = folder.path() / "region.json";
+    std::ofstream(file) << request.dump();
+    return file.string();
+  }
+  std::string data() const { return (folder.path() / "data").string(); }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(CommandLine, EveryCommandHasHelpAndTheProgramAVersion) {
+  EXPECT_TRUE(run_leda({"--version"}).text.starts_with("leda "));
+  for (const char* command : {"serve", "map", "simulate", "compare", "export"}) {
+    const Output help = run_leda({command, "--help"});
+    EXPECT_EQ(help.exit_code, 0) << command;
+    EXPECT_NE(help.text.find("Usage"), std::string::npos) << command;
+  }
+}
+
+TEST_F(CommandLine, WrongUseIsToldWithCodeTwo) {
+  EXPECT_EQ(run_leda({}).exit_code, 2);
+  EXPECT_EQ(run_leda({"nothing"}).exit_code, 2);
+  EXPECT_EQ(run_leda({"serve"}).exit_code, 2);
+  const Output open_to_all = run_leda({"serve", "--data", data(), "--listen", "0.0.0.0:0"});
+  EXPECT_EQ(open_to_all.exit_code, 2);
+  EXPECT_NE(open_to_all.errors.find("127.0.0.1"), std::string::npos) << open_to_all.errors;
+}
+
+TEST_F(CommandLine, FaultsOfARegionAreListedWithTheirPointers) {
+  json request = bank_region();
+  request["inputs"]["resolution"]["cell_m"] = -1;
+  request["inputs"]["surprise"] = 1;
+  const Output output = run_leda({"map", region_file(request), "--data", data()});
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find("/inputs/resolution/cell_m"), std::string::npos) << output.errors;
+  EXPECT_NE(output.errors.find("/inputs/surprise"), std::string::npos) << output.errors;
+}
+
+TEST_F(CommandLine, ADemWithoutACrsIsRefused) {
+  write_bank(folder.path() / "bank.asc");
+  json request = bank_region();
+  request["inputs"]["dem"] = (folder.path() / "bank.asc").string();
+  const Output output = run_leda({"map", region_file(request), "--data", data()});
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find("CRS"), std::string::npos) << output.errors;
+}
+
+TEST_F(CommandLine, AMapIsMadeComparedAndExported) {
+  {
+    // Registered over HTTP, since the grid itself carries no CRS.
+    write_bank(folder.path() / "bank.asc");
+    std::ifstream file(folder.path() / "bank.asc", std::ios::binary);
+    std::stringstream dem;
+    dem << file.rdbuf();
+    LedaServer server(data());
+    ASSERT_EQ(
+        server.client().Post(std::string("/rasters") + bank_query, dem.str(), "image/tiff")->status,
+        201);
+    EXPECT_LT(server.end(), 5);
+  }
+  json request = bank_region();
+  request["inputs"]["sections"].erase(2);
+  const Output map = run_leda({"map", region_file(request), "--data", data(), "--workers", "2"});
+  ASSERT_EQ(map.exit_code, 0) << map.errors;
+  EXPECT_NE(map.text.find("AA'          at-rest"), std::string::npos) << map.text;
+  std::istringstream words(map.text);
+  std::string word, job;
+  while (words >> word) job = word;
+
+  const auto drawing = folder.path() / "compared.svg";
+  const Output compared = run_leda(
+      {"compare", job, "AA'", "BB'", "--data", data(), "--json", "--svg", drawing.string()});
+  ASSERT_EQ(compared.exit_code, 0) << compared.errors;
+  EXPECT_EQ(json::parse(compared.text)["sections"].size(), 2U);
+  EXPECT_TRUE(std::filesystem::exists(drawing));
+  const Output table = run_leda({"compare", job, "AA'", "BB'", "--data", data()});
+  EXPECT_NE(table.text.find("BB' against AA'"), std::string::npos) << table.text;
+
+  const auto package = folder.path() / "zones.gpkg";
+  const Output exported =
+      run_leda({"export", job, "--data", data(), "--format", "gpkg", "--out", package.string()});
+  EXPECT_EQ(exported.exit_code, 0) << exported.errors;
+  EXPECT_GT(std::filesystem::file_size(package), 10'000U);
+
+  EXPECT_EQ(run_leda({"compare", job, "AA'", "ZZ", "--data", data()}).exit_code, 2);
+  EXPECT_EQ(run_leda({"export", "none", "--data", data(), "--out", "x.gpkg"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace leda::tests

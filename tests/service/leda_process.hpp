@@ -1,0 +1,57 @@
+#pragma once
+// `leda serve` as a process of its own, and a client that talks to it.
+
+#include <httplib.h>
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace leda::tests {
+
+class LedaServer {
+ public:
+  /// Starts it on a free port and waits until it answers. @throws std::runtime_error
+  explicit LedaServer(const std::filesystem::path& data, const std::vector<std::string>& more = {});
+  /// Kills what still runs.
+  ~LedaServer();
+  LedaServer(const LedaServer&) = delete;
+  LedaServer& operator=(const LedaServer&) = delete;
+
+  httplib::Client& client() { return *client_; }
+  const std::string& url() const { return url_; }
+
+  void kill_hard();
+  /// SIGTERM. @return seconds until it was gone
+  double end();
+  /// Process ids of its workers.
+  std::vector<pid_t> workers() const;
+
+  /// The JSON of an answer that must be 200.
+  nlohmann::json get(const std::string& path);
+  /// Polls a job. @return its status when it is finished, or after `patience`
+  nlohmann::json wait_for_job(const std::string& job,
+                              std::chrono::seconds patience = std::chrono::seconds(240));
+
+ private:
+  pid_t process_ = 0;
+  std::string url_;
+  std::unique_ptr<httplib::Client> client_;
+};
+
+struct Output {
+  int exit_code = -1;
+  std::string text;    ///< standard output
+  std::string errors;  ///< standard error
+};
+
+/// Runs `leda` with these arguments to its end.
+Output run_leda(const std::vector<std::string>& arguments);
+
+bool is_alive(pid_t process);
+
+}  // namespace leda::tests
