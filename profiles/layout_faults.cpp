@@ -13,7 +13,8 @@
 namespace leda::profiles {
 namespace {
 
-constexpr std::size_t most_points = 20'000;  // of one line
+constexpr std::size_t most_points =
+    10'000;  // of one line; looking for crossings costs their square
 constexpr std::size_t longest_name = 100;
 constexpr double farthest_by_hand_m = 50;  // of a crest or toe given by hand from its line
 
