@@ -97,14 +97,16 @@ double round_step(double size, double count) {
   return 10 * power;
 }
 
-/// Marks stand on short stems of different lengths, so that names of close points stay apart.
+/// Marks stand on stems of different lengths, so that names of close points stay apart; a negative
+/// one hangs below the point, where the debris is not drawn.
 std::string mark(const Scale& scale, Point p, const char* name, double stem, const char* colour) {
   if (!std::isfinite(p.x) || !std::isfinite(p.z)) return "";
   const double x = scale.x(p.x), y = scale.y(p.z);
   const std::string style = fmt::format("stroke=\"{}\" stroke-width=\"1\"", colour);
   return line(x, y, x, y - stem, style.c_str()) +
          fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", x, y, colour) +
-         text_at(x, y - stem - 4, "middle", name, fmt::format(" fill=\"{}\"", colour).c_str());
+         text_at(x, y - stem + (stem > 0 ? -4 : 13), "middle", name,
+                 fmt::format(" fill=\"{}\"", colour).c_str());
 }
 
 std::string heading(const ComparedSection& s) {
@@ -140,18 +142,19 @@ std::string axes(const Scale& scale, const Range& x, double top_m, double top) {
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#ffffff\" "
       "stroke=\"#999999\"/>\n",
       margin_left, top, right - margin_left, scale.bottom - top);
+  // v + 0.0 turns a -0 into 0.
   const char* grid = "stroke=\"#e4e4e4\"";
   const double step_x = round_step(x.size(), 12);
   for (double v = std::ceil(x.low / step_x) * step_x; v <= x.high; v += step_x) {
     const double at = scale.x(v + scale.toe_x);
     out += line(at, top, at, scale.bottom, grid);
-    out += text_at(at, scale.bottom + 16, "middle", fmt::format("{:.6g}", v));
+    out += text_at(at, scale.bottom + 16, "middle", fmt::format("{:.6g}", v + 0.0));
   }
   const double step_z = round_step((scale.bottom - top) / scale.pixels_per_m,
                                    std::clamp((scale.bottom - top) / 30, 2.0, 8.0));
   for (double v = std::ceil(scale.bottom_m / step_z) * step_z; v <= top_m; v += step_z) {
     out += line(margin_left, scale.y(v), right, scale.y(v), grid);
-    out += text_at(margin_left - 6, scale.y(v) + 4, "end", fmt::format("{:.6g}", v));
+    out += text_at(margin_left - 6, scale.y(v) + 4, "end", fmt::format("{:.6g}", v + 0.0));
   }
   out +=
       text_at((margin_left + right) / 2, scale.bottom + 33, "middle", "distance from the toe (m)");
@@ -177,7 +180,7 @@ std::string panel(const ComparedSection& s, const Scale& scale, const Range& x, 
                 fmt::format("stroke=\"{}\" stroke-width=\"2\"", after_colour).c_str());
   }
   out += mark(scale, s.crest, "crest", 14, before_colour);
-  out += mark(scale, s.toe, "toe", 14, before_colour);
+  out += mark(scale, s.toe, "toe", -8, before_colour);
   if (s.result && s.result->status != RunStatus::stable) {
     out += mark(scale, s.result->backscarp, "backscarp", 32, after_colour);
     out += mark(scale, s.result->front, "front", 32, after_colour);
@@ -212,19 +215,20 @@ std::string compare_svg(const std::vector<ComparedSection>& sections) {
   const double pixels_per_m =
       (drawing_width - margin_left - margin_right) / std::max(all.x.size(), 1e-6);
   constexpr double headroom = 52;  // for the marks above the highest ground
+  constexpr double footroom = 30;  // and for the toe below the lowest
   std::string body;
   double top = legend_height;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     top += title_height;
     const Range& z = extents[i].z;
     const double height =
-        std::max(std::max(z.size(), 0.0) * pixels_per_m + headroom + 12, least_panel);
+        std::max(std::max(z.size(), 0.0) * pixels_per_m + headroom + footroom, least_panel);
     Scale scale;
     scale.pixels_per_m = pixels_per_m;
     scale.left_m = all.x.low;
     scale.toe_x = sections[i].toe.x;
     scale.bottom = top + height;
-    scale.bottom_m = z.low - 12 / pixels_per_m;
+    scale.bottom_m = z.low - footroom / pixels_per_m;
     const double top_m = scale.bottom_m + height / pixels_per_m;
     body += panel(sections[i], scale, all.x, top_m, top);
     top += height + axis_height;

@@ -66,6 +66,7 @@ TEST(CompareSvg, ShowsBothSectionsWithTheirMarks) {
   }
   EXPECT_EQ(count(svg, "elevation (m)"), 2u);
   EXPECT_NE(svg.find("retrogression 103.2 m, runout 52.4 m"), std::string::npos);
+  EXPECT_EQ(svg.find(">-0<"), std::string::npos);
 }
 
 TEST(CompareSvg, EscapesNames) {
