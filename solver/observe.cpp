@@ -20,7 +20,7 @@ double backscarp_x(const Surface& before, const Surface& now, double crest_x, bo
   const std::size_t count = bank_left ? crest + 1 : n - crest;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t c = bank_left ? i : n - 1 - i;
-    if (before.z[c] - now.z[c] > drop_threshold_m) {
+    if (before.z[c] - now.z[c] > surface_threshold_m) {
       return bank_left ? std::min(before.left(c), crest_x)
                        : std::max(before.left(c) + before.cell, crest_x);
     }
@@ -28,32 +28,34 @@ double backscarp_x(const Surface& before, const Surface& now, double crest_x, bo
   return crest_x;
 }
 
-// Ground of the bank that now lies on top of ground it was not above, as columns beyond the toe.
-std::vector<double> debris_reach(const Seeded& seeded, const Section& section, double toe_x,
-                                 const Surface& before, bool bank_left) {
-  std::vector<double> reach(before.z.size(), 0.0);  // distance past the toe, 0: none
+// Which columns beyond the toe hold debris: ground of the bank that lies on the initial ground, or
+// a surface that rose, be it by debris or by ground the debris pushed up.
+std::vector<bool> debris_columns(const Seeded& seeded, const Section& section, double toe_x,
+                                 const Surface& before, const Surface& now, bool bank_left) {
+  std::vector<bool> debris(before.z.size(), false);
+  for (std::size_t i = 0; i < debris.size(); ++i) {
+    debris[i] = now.z[i] - before.z[i] > surface_threshold_m;
+  }
   const Particles& p = seeded.particles;
   for (std::size_t i = 0; i < p.count; ++i) {
     const double x = p.x[i] + seeded.origin_x, start = p.start_x[i] + seeded.origin_x;
-    const double past = bank_left ? x - toe_x : toe_x - x;
-    const bool from_bank = bank_left ? start < toe_x : start > toe_x;
-    if (!from_bank || past <= 0) continue;
-    if (p.z[i] + seeded.origin_z <= elevation_at(section.ground, x)) continue;
-    double& r = reach[column_of(before, x)];
-    r = std::max(r, past);
+    const bool crossed = bank_left ? start < toe_x && x > toe_x : start > toe_x && x < toe_x;
+    if (crossed && p.z[i] + seeded.origin_z > elevation_at(section.ground, x)) {
+      debris[column_of(before, x)] = true;
+    }
   }
-  return reach;
+  return debris;
 }
 
-// Distance to the front of the debris that is connected with the toe, column by column.
-double connected_front(const std::vector<double>& reach, std::size_t toe, bool bank_left) {
-  double front = 0;
-  for (std::size_t i = toe; i < reach.size(); bank_left ? ++i : --i) {
-    if (reach[i] > front) {
-      front = reach[i];
-    } else if (i != toe) {
-      break;
-    }
+// The far edge of the last column connected with the toe, gaps of up to two columns allowed.
+double connected_front(const std::vector<bool>& debris, const Surface& s, double toe_x,
+                       bool bank_left) {
+  double front = toe_x;
+  std::size_t gap = 0;
+  for (std::size_t i = column_of(s, toe_x); i < debris.size() && gap <= most_gap_columns;
+       bank_left ? ++i : --i) {
+    gap = debris[i] ? 0 : gap + 1;
+    if (debris[i]) front = bank_left ? s.left(i) + s.cell : s.left(i);
   }
   return front;
 }
@@ -81,11 +83,12 @@ Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe
   const double scarp = backscarp_x(before, now, bank.crest.x, bank_left);
   m.retrogression_m = std::abs(scarp - bank.crest.x);
   m.backscarp = {scarp, elevation_at(section.ground, scarp)};
-  const auto reach = debris_reach(seeded, section, bank.toe.x, before, bank_left);
-  const double front = connected_front(reach, column_of(before, bank.toe.x), bank_left);
-  m.runout_m = front > before.cell ? front : 0.0;  // less than a cell is not resolved
-  const double front_x = bank.toe.x + (bank_left ? m.runout_m : -m.runout_m);
-  m.front = {front_x, m.runout_m > 0 ? now.z[column_of(now, front_x)] : bank.toe.z};
+  const auto debris = debris_columns(seeded, section, bank.toe.x, before, now, bank_left);
+  const double front = connected_front(debris, before, bank.toe.x, bank_left);
+  const double past = std::abs(front - bank.toe.x);
+  m.runout_m = past > before.cell ? past : 0.0;  // less than a cell is not resolved
+  m.front = bank.toe;
+  if (m.runout_m > 0) m.front = {front, elevation_at(section.ground, front)};
   return m;
 }
 

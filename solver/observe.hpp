@@ -26,7 +26,8 @@ struct Surface {
 Surface surface(const Seeded& seeded);
 
 /// Thresholds of the definitions in solver/README.md, "Retrogression and runout".
-inline constexpr double drop_threshold_m = 0.5;
+inline constexpr double surface_threshold_m = 0.5;
+inline constexpr std::size_t most_gap_columns = 2;
 inline constexpr double slide_window_s = 0.3;
 inline constexpr double slide_begins_m = 4.0;
 inline constexpr double slide_ends_m = 2.0;

@@ -12,12 +12,6 @@ constexpr int samples_of_rise = 20;
 constexpr int samples_of_decay = 400;
 constexpr int samples_of_line = 50;
 
-double end_of(const SofteningCurve& c, double shear_modulus_Pa) {
-  const double plastic = has_end(c) ? c.line_end : c.rate > 0 ? std::log(1e4) / c.rate : 0;
-  // A law that never changes still deserves a plateau as long as four times its elastic part.
-  return std::max(1.05 * plastic, 5 * c.peak / shear_modulus_Pa);
-}
-
 /// Plastic strains at which the law is looked at: even in stress along the exponential, even in
 /// strain along the line, both sides of the jump at its start.
 std::vector<double> sample_law(const SofteningCurve& c, double max_strain) {
@@ -82,6 +76,11 @@ void cut_at(std::vector<DssPoint>& points, double strain) {
 
 }  // namespace
 
+double default_max_strain(const SofteningCurve& c, double shear_modulus_Pa) {
+  const double plastic = has_end(c) ? c.line_end : c.rate > 0 ? std::log(1e4) / c.rate : 0;
+  return std::max(1.05 * plastic, 5 * c.peak / shear_modulus_Pa);
+}
+
 SofteningCurve perfectly_plastic(double peak_Pa) {
   return {.peak = peak_Pa,
           .floor = peak_Pa,
@@ -96,7 +95,7 @@ SofteningCurve perfectly_plastic(double peak_Pa) {
 DssCurve dss_of_bare_law(const DssElement& element, std::optional<double> max_strain) {
   const SofteningCurve& law = element.law;
   const double g = element.shear_modulus_Pa;
-  const double end = max_strain.value_or(end_of(law, g));
+  const double end = max_strain.value_or(default_max_strain(law, g));
   DssCurve curve{
       .height_m = element.height_m, .points = {{0, 0, 0}}, .snaps_back = steepest_loss(law) > g};
   const double yield_strain = law.peak / g;

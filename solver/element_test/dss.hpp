@@ -31,10 +31,13 @@ struct DssElement {
 /// A curve for clay that does not soften: the peak for ever.
 SofteningCurve perfectly_plastic(double peak_Pa);
 
+/// Where a test ends by itself: 5 % beyond the strain where the law ends, or where 99.99 % of an
+/// endless exponential is spent; at least five times the strain at the peak.
+double default_max_strain(const SofteningCurve& law, double shear_modulus_Pa);
+
 /// The bare law: elastic with G up to s_up, then stress = law(plastic strain) and strain = plastic
 /// strain + stress / G. No waves, no second stress component: what eq. 4-2 says, exactly.
-/// @param max_strain the strain to stop at; absent: 5 % beyond the strain where the law ends, or
-/// where 99.99 % of an endless exponential is spent
+/// @param max_strain the strain to stop at; absent: default_max_strain()
 DssCurve dss_of_bare_law(const DssElement& element, std::optional<double> max_strain = {});
 
 /// Stress of a curve at a strain, straight between points; the lower end of a drop. Pa.

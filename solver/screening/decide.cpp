@@ -29,13 +29,21 @@ bool softens_somewhere(const Section& section) {
   });
 }
 
+/// Height of the cut that the simulation would make if the section stood.
+std::optional<double> asked_cut(const RunSettings& settings) {
+  const auto* undrained = std::get_if<UndrainedTrigger>(&settings.trigger);
+  if (!undrained) return std::nullopt;
+  return undrained->then_toe_cut_m;
+}
+
+double required_toe_cut(const RunSettings& settings, const ScreeningMargins& margins) {
+  return 1 + (asked_cut(settings) ? margins.asked_cut_factor : margins.factor);
+}
+
 double height_of_cut(const CrestAndToe& bank, const RunSettings& settings,
                      const ScreeningMargins& margins) {
   const double bank_height = bank.crest.z - bank.toe.z;
-  const auto* undrained = std::get_if<UndrainedTrigger>(&settings.trigger);
-  if (undrained && undrained->then_toe_cut_m) {
-    return std::min(*undrained->then_toe_cut_m, bank_height);
-  }
+  if (const auto asked = asked_cut(settings)) return std::min(*asked, bank_height);
   return std::min(margins.toe_cut_m, margins.toe_cut_share * bank_height);
 }
 
@@ -44,7 +52,8 @@ class Decider {
  public:
   Decider(const Section& section, const RunSettings& settings, const ScreeningMargins& margins)
       : section_(section), settings_(settings), margins_(margins) {
-    result_.required_factor = 1 + margins.factor;
+    result_.required_intact = 1 + margins.factor;
+    result_.required_toe_cut = required_toe_cut(settings, margins);
     result_.sensitive = softens_somewhere(section);
     result_.worst_at_rest = factor_at_rest(section, margins.water_table_m);
     if (result_.worst_at_rest) *result_.worst_at_rest *= loss(margins);
@@ -78,11 +87,12 @@ class Decider {
       to_simulate("softening ground is overstressed at rest: strength over shear stress " +
                   number(*result_.worst_at_rest) + " < 1 for the worst inputs");
     }
-    judge("intact", result_.worst_intact);
+    judge("intact", result_.worst_intact, result_.required_intact);
     if (!everything && !stands_) return std::move(result_);
     if (!cut_.empty()) {
       find_toe_cut();
-      judge("with a toe cut of " + number(result_.toe_cut_m) + " m", result_.worst_toe_cut);
+      judge("with a toe cut of " + number(result_.toe_cut_m) + " m", result_.worst_toe_cut,
+            result_.required_toe_cut);
     }
     return conclude();
   }
@@ -113,14 +123,14 @@ class Decider {
     return conclude();
   }
 
-  void judge(const std::string& which, const std::optional<double>& factor) {
+  void judge(const std::string& which, const std::optional<double>& factor, double required) {
     if (!factor) {
       result_.reasons.push_back("no slip surface (" + which + "): the ground has no slope");
       return;
     }
     const std::string said = "undrained factor of safety, " + which + ", " + number(*factor);
-    const std::string limit = number(result_.required_factor) + " for the worst inputs";
-    if (*factor < result_.required_factor)
+    const std::string limit = number(required) + " for the worst inputs";
+    if (*factor < required)
       to_simulate(said + " < " + limit);
     else
       result_.reasons.push_back(said + " >= " + limit);
@@ -197,7 +207,8 @@ ScreeningResult screen_site(const Site& site, const ScreeningMargins& margins) {
     result = screen_completely(section_of(site), {}, margins);
     result.drained.why_not = "a site has no drained strength: screen a case";
   } else {
-    result.required_factor = 1 + margins.factor;
+    result.required_intact = 1 + margins.factor;
+    result.required_toe_cut = required_toe_cut({}, margins);
     result.reasons = {"no slope angle: the factors of safety cannot be found"};
     result.drained.why_not = result.undrained.why_not = result.undrained_toe_cut.why_not =
         "no slope angle";

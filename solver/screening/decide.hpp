@@ -23,7 +23,9 @@ struct ScreeningMargins {
   double strength = 0.10;            ///< share by which peak strengths may be too high
   double unit_weight = 0.03;         ///< share by which unit weights may be too low
   double water_table_m = 1.0;        ///< by which the water may stand lower
-  double factor = 0.15;              ///< what a factor for these worst inputs must be above 1
+  double factor = 0.8;               ///< what a factor for these worst inputs must be above 1
+  double asked_cut_factor = 1.2;     ///< the same for a cut that the simulation will make: ground
+                                     ///< that goes suddenly starts brittle clay far above 1
   double toe_cut_m = 3.0;            ///< the cut looked at where the case asks for none, ...
   double toe_cut_share = 1.0 / 3.0;  ///< ... but no more than this share of the bank
 };
@@ -32,7 +34,8 @@ struct ScreeningResult {
   Decision decision = Decision::simulate;
   std::vector<std::string> reasons;     ///< the deciding one first
   bool sensitive = false;               ///< a softening material lies in the section
-  double required_factor = 0;           ///< 1 + margin
+  double required_intact = 0;           ///< what worst_intact must reach
+  double required_toe_cut = 0;          ///< what worst_toe_cut must reach
   double toe_cut_m = 0;                 ///< height of the cut looked at; 0: none
   std::optional<double> worst_intact;   ///< undrained Bishop for the worst inputs
   std::optional<double> worst_toe_cut;  ///< the same with the toe cut
