@@ -86,7 +86,8 @@ BuiltSection build_section(const Profile& profile, const std::vector<SoilModel>&
   built.soil_model = *index;
   const SoilModel& model = soil[*index];
   const std::string at = fmt::format("/{}", *index);
-  const double base_m = model.base_m.value_or(profile.bank.toe.z - model.base_below_toe_m);
+  const double bottom = std::min(profile.bank.toe.z, lowest(profile.ground));
+  const double base_m = model.base_m.value_or(bottom - model.base_below_toe_m);
   check_layers(model, at, built.faults);
   check_base(model, profile, base_m, at, built.faults);
   if (model.water_table && !model.water_table->line.empty()) {

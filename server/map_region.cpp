@@ -97,20 +97,26 @@ class Region final : public Work {
   std::vector<SectionRecord> plan() const override {
     const auto dem = profiles::Dem::open(dem_file_);
     std::vector<SectionRecord> sections;
-    RegionFaults faults;
+    RegionFaults of_named, of_laid;  // faults of named lines, and of sections laid along a line
+    bool any_fits = false;
     for (const auto& laid : lay_out(dem)) {
       const auto cut = profiles::trace_profile(laid, dem);
       if (const auto* profile = std::get_if<Profile>(&cut)) {
-        check(*profile, faults);
+        const auto faults = faults_of(*profile);
+        any_fits = any_fits || faults.empty();
+        auto& told = laid.line < 0 ? of_named : of_laid;
+        for (const auto& fault : faults) told.add(fault.pointer, fault.message, laid.name);
         sections.push_back(record_of(*profile, laid));
+        if (!faults.empty()) leave_out(sections.back(), faults);
       } else {
         sections.push_back(record_of(std::get<LeftOut>(cut), laid));
       }
       sections.back().ordinal = static_cast<int>(sections.size()) - 1;
     }
-    if (!faults.none()) {
-      throw Problem(Failure::invalid_request, "the sections cannot be simulated", faults.list());
-    }
+    refuse(of_named);
+    // What no section escapes is a fault of the request; what some do is a reason to leave those
+    // out and go on: real ground has banks that a soil or a trigger does not fit.
+    if (!any_fits) refuse(of_laid);
     if (request_.dry_run) leave_unsimulated(sections);
     return sections;
   }
@@ -147,15 +153,27 @@ class Region final : public Work {
   }
 
   /// Soil that does not fit the profile, or a model that is too large.
-  void check(const Profile& profile, RegionFaults& faults) const {
-    const auto built = profiles::build_section(profile, request_.soil);
-    for (const auto& fault : built.faults) {
-      faults.add(soil_pointer(document_, fault.pointer), fault.message, profile.section);
+  std::vector<Fault> faults_of(const Profile& profile) const {
+    auto built = profiles::build_section(profile, request_.soil);
+    for (auto& fault : built.faults) fault.pointer = soil_pointer(document_, fault.pointer);
+    if (!built.faults.empty()) return built.faults;
+    auto faults = validate(built.section, request_.settings);
+    for (auto& fault : faults) {
+      fault.pointer = case_pointer(document_, fault.pointer, built.soil_model);
     }
-    if (!built.faults.empty()) return;
-    for (const auto& fault : validate(built.section, request_.settings)) {
-      faults.add(case_pointer(document_, fault.pointer, built.soil_model), fault.message,
-                 profile.section);
+    return faults;
+  }
+
+  static void refuse(const RegionFaults& faults) {
+    if (faults.none()) return;
+    throw Problem(Failure::invalid_request, "the sections cannot be simulated", faults.list());
+  }
+
+  static void leave_out(SectionRecord& section, const std::vector<Fault>& faults) {
+    section.state = SectionState::left_out;
+    for (const auto& fault : faults) {
+      if (!section.reason.empty()) section.reason += "; ";
+      section.reason += fault.pointer + " " + fault.message;
     }
   }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int most_steps_between_sorts = 32;
 constexpr double most_travel = 0.5;  // cells, before the order of the particles is renewed
 constexpr double most_travel_a_step = 0.4;
-constexpr double most_energy_error = 0.1;
+constexpr double most_energy_gain = 0.1;
 
 std::optional<StageEnd> keep_sorted(RunState& run) {
   const bool due = run.since_sort == 0 || run.since_sort >= most_steps_between_sorts ||
@@ -38,10 +38,10 @@ std::optional<StageEnd> check(const RunState& run, const StepSums& sums, double 
     return StageEnd{StageEnd::Why::unstable, "a particle moves at " + std::to_string(run.fastest) +
                                                  " m/s, further than 0.4 cells a step"};
   }
-  if (move && run.audit.error() > most_energy_error) {
-    return StageEnd{StageEnd::Why::unstable, "the energy audit is off by " +
-                                                 std::to_string(run.audit.error() * 100) +
-                                                 " % (10 % is the most)"};
+  if (move && run.audit.residual() > most_energy_gain) {
+    return StageEnd{StageEnd::Why::unstable, "the energy audit finds " +
+                                                 std::to_string(run.audit.residual() * 100) +
+                                                 " % of energy out of nothing (10 % is the most)"};
   }
   return {};
 }

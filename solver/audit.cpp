@@ -8,10 +8,23 @@
 
 namespace leda::solver {
 
-EnergyAudit begin_audit(const Particles& particles, double h) {
+double elastic_energy(const Particles& p, const LawTable& laws) {
+  double energy = 0;
+  for (std::size_t i = 0; i < p.count; ++i) {
+    const auto row = static_cast<std::size_t>(p.law[i]);
+    const double mean = (p.sxx[i] + p.szz[i] + p.syy[i]) / 3;
+    const double x = p.sxx[i] - mean, y = p.syy[i] - mean, z = p.szz[i] - mean;
+    const double deviator = x * x + y * y + z * z + 2 * p.sxz[i] * p.sxz[i];
+    energy += p.volume[i] * (deviator / (4 * laws.shear[row]) + mean * mean / (2 * laws.bulk[row]));
+  }
+  return energy;
+}
+
+EnergyAudit begin_audit(const Particles& particles, const LawTable& laws, double h) {
   EnergyAudit audit;
   const double mass = std::accumulate(particles.mass.begin(), particles.mass.end(), 0.0);
   audit.least_scale = mass * gravity * 1e-3 * h;
+  audit.elastic_start = elastic_energy(particles, laws);
   return audit;
 }
 
@@ -33,10 +46,14 @@ double EnergyAudit::scale() const {
   return std::max({std::abs(gravity_work), std::abs(stress_work), kinetic_peak, least_scale});
 }
 
-double EnergyAudit::error() const {
-  const double residual =
+double EnergyAudit::residual() const {
+  const double rest =
       kinetic - kinetic_start - gravity_work - damping_work + stress_work + transfer_loss;
-  return scale() > 0 ? std::abs(residual) / scale() : 0.0;
+  return scale() > 0 ? rest / scale() : 0.0;
+}
+
+double EnergyAudit::plastic_work(double elastic_now) const {
+  return scale() > 0 ? (stress_work - (elastic_now - elastic_start)) / scale() : 0.0;
 }
 
 double EnergyAudit::numerical_dissipation() const {

@@ -28,7 +28,7 @@ double unbalanced_ratio(RunState& run) {
 
 std::optional<StageEnd> relax(RunState& run, const LawTable& laws, int most_steps,
                               const char* stage, Balance& balance) {
-  run.audit = begin_audit(run.seeded.particles, run.seeded.grid.h);
+  run.audit = begin_audit(run.seeded.particles, run.seeded.laws, run.seeded.grid.h);
   for (int i = 1; i <= most_steps; ++i) {
     if (auto end = advance(run, laws, run.settings->damping.initial, false)) return end;
     if (i % steps_between_looks != 0) continue;

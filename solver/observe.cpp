@@ -29,10 +29,12 @@ double backscarp_x(const Surface& before, const Surface& now, double crest_x, bo
 }
 
 // Which columns beyond the toe hold debris: ground of the bank that lies on the initial ground, or
-// a surface that rose, be it by debris or by ground the debris pushed up.
+// a surface that rose, be it by debris or by ground the debris pushed up. None where no ground of
+// the bank has passed the toe: then it was another bank that moved.
 std::vector<bool> debris_columns(const Seeded& seeded, const Section& section, double toe_x,
                                  const Surface& before, const Surface& now, bool bank_left) {
   std::vector<bool> debris(before.z.size(), false);
+  bool any_crossed = false;
   for (std::size_t i = 0; i < debris.size(); ++i) {
     debris[i] = now.z[i] - before.z[i] > surface_threshold_m;
   }
@@ -42,9 +44,19 @@ std::vector<bool> debris_columns(const Seeded& seeded, const Section& section, d
     const bool crossed = bank_left ? start < toe_x && x > toe_x : start > toe_x && x < toe_x;
     if (crossed && p.z[i] + seeded.origin_z > elevation_at(section.ground, x)) {
       debris[column_of(before, x)] = true;
+      any_crossed = true;
     }
   }
+  if (!any_crossed) debris.assign(debris.size(), false);
   return debris;
+}
+
+bool dropped_beyond(const Surface& before, const Surface& now, double toe_x, bool bank_left) {
+  for (std::size_t i = 0; i < before.z.size(); ++i) {
+    const bool beyond = bank_left ? before.left(i) > toe_x : before.left(i) + before.cell < toe_x;
+    if (beyond && before.z[i] - now.z[i] > surface_threshold_m) return true;
+  }
+  return false;
 }
 
 // The far edge of the last column connected with the toe, gaps of up to two columns allowed.
@@ -87,6 +99,7 @@ Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe
   const double front = connected_front(debris, before, bank.toe.x, bank_left);
   const double past = std::abs(front - bank.toe.x);
   m.runout_m = past > before.cell ? past : 0.0;  // less than a cell is not resolved
+  m.far_side_dropped = dropped_beyond(before, now, bank.toe.x, bank_left);
   m.front = bank.toe;
   if (m.runout_m > 0) m.front = {front, elevation_at(section.ground, front)};
   return m;

@@ -37,6 +37,7 @@ struct Movement {
   double runout_m = 0;
   Point backscarp;
   Point front;
+  bool far_side_dropped = false;  ///< ground beyond the toe, of another bank, went down
 };
 
 /// Retrogression and runout of the present state against the surface at the start.

@@ -24,13 +24,12 @@ CrestAndToe bank_of(const Section& section) {
   return bank;
 }
 
-bool moved(const RunState& run) {
-  const Movement m = measure(run.seeded, *run.section, run.bank, run.ground);
-  return m.retrogression_m > 0 || m.runout_m > 0;
+bool moved(const Movement& m) {
+  return m.retrogression_m > 0 || m.runout_m > 0 || m.far_side_dropped;
 }
 
 void keep_worst(RunState& run) {
-  run.worst.energy = std::max(run.worst.energy, run.audit.error());
+  run.worst.energy = std::max(run.worst.energy, std::abs(run.audit.residual()));
   run.numerical_dissipation =
       std::max(run.numerical_dissipation, run.audit.numerical_dissipation());
 }
@@ -45,7 +44,8 @@ StageEnd trigger_and_run(RunState& run, std::string& used) {
   StageEnd end = run_softening(run, "softening");
   keep_worst(run);
   const auto* undrained = std::get_if<UndrainedTrigger>(&run.settings->trigger);
-  const bool stands = end.why == StageEnd::Why::at_rest && !moved(run);
+  const bool stands = end.why == StageEnd::Why::at_rest &&
+                      !moved(measure(run.seeded, *run.section, run.bank, run.ground));
   if (!stands || !undrained || !undrained->then_toe_cut_m) return end;
   used = "toe-cut";
   excavate(run, toe_cut(*run.section, run.bank, *undrained->then_toe_cut_m));
@@ -77,22 +77,25 @@ Polyline profile_after(const Seeded& seeded) {
   return line;
 }
 
-void warn_at_edges(const RunState& run, const Movement& m, std::vector<std::string>& warnings) {
+void warn(const RunState& run, const Movement& m, std::vector<std::string>& warnings) {
   const double near = 2 * run.seeded.grid.h;
   const double left = run.section->ground.front().x, right = run.section->ground.back().x;
   const auto at_edge = [&](double x) { return x - left < near || right - x < near; };
-  if (m.retrogression_m > 0 && at_edge(m.backscarp.x)) {
+  if ((m.retrogression_m > 0 || m.runout_m > 0) && at_edge(m.backscarp.x)) {
     warnings.push_back("the backscarp reached the model's edge: retrogression is a lower bound");
   }
   if (m.runout_m > 0 && at_edge(m.front.x)) {
     warnings.push_back("the front reached the model's edge: runout is a lower bound");
+  }
+  if (m.far_side_dropped) {
+    warnings.push_back("ground beyond the toe slid too: lay a section of its own for the far bank");
   }
 }
 
 SectionResult result_of(RunState& run, const StageEnd& end) {
   const Movement m = measure(run.seeded, *run.section, run.bank, run.ground);
   SectionResult r;
-  r.status = status_of(end, m.retrogression_m > 0 || m.runout_m > 0);
+  r.status = status_of(end, moved(m));
   r.reason = end.reason;
   r.crest = run.bank.crest;
   r.toe = run.bank.toe;
@@ -109,7 +112,7 @@ SectionResult result_of(RunState& run, const StageEnd& end) {
   r.numerical_dissipation = run.numerical_dissipation;
   r.profile_after = profile_after(run.seeded);
   r.warnings = run.warnings;
-  warn_at_edges(run, m, r.warnings);
+  warn(run, m, r.warnings);
   return r;
 }
 

@@ -40,6 +40,18 @@ void report(RunState& run, const char* stage) {
   run.listener->progress({std::min(share, 1.0), run.time, stage});
 }
 
+constexpr double most_energy_fed = 0.1;  // of the scale of the audit
+
+// Negative plastic work: the stress update has fed energy to the motion.
+std::optional<StageEnd> check_plastic_work(const RunState& run) {
+  const double elastic = elastic_energy(run.seeded.particles, run.seeded.laws);
+  const double work = run.audit.plastic_work(elastic);
+  if (work >= -most_energy_fed) return {};
+  return StageEnd{StageEnd::Why::unstable,
+                  "plastic work is negative (" + std::to_string(work * 100) +
+                      " % of the energy that moved): the stress update feeds energy"};
+}
+
 void look(RunState& run, const char* stage) {
   const Movement m = measure(run.seeded, *run.section, run.bank, run.ground);
   run.slides.observe(run.time, m.retrogression_m);
@@ -50,7 +62,7 @@ void look(RunState& run, const char* stage) {
 
 StageEnd run_softening(RunState& run, const char* stage) {
   RestWatch rest;
-  run.audit = begin_audit(run.seeded.particles, run.seeded.grid.h);
+  run.audit = begin_audit(run.seeded.particles, run.seeded.laws, run.seeded.grid.h);
   double next_look = run.time + look_interval_s;
   const double frames = run.settings->output.frame_interval_s;
   double next_frame = run.time + frames;
@@ -63,6 +75,7 @@ StageEnd run_softening(RunState& run, const char* stage) {
     if (run.time < next_look) continue;
     next_look += look_interval_s;
     look(run, stage);
+    if (auto end = check_plastic_work(run)) return *end;
     if (rest.at_rest(run.time, run.fastest, run.audit)) return {};
     if (run.listener->interrupted && run.listener->interrupted()) {
       return {StageEnd::Why::interrupted, ""};

@@ -17,7 +17,8 @@ struct SoilModel {
   std::map<std::string, Material> materials;
   std::optional<WaterTable> water_table;  ///< a line is not allowed here: depth only
   std::optional<double> base_m;           ///< elevation of the model's base
-  double base_below_toe_m = 5;            ///< used where base_m is absent
+  /// Used where base_m is absent: below the toe, or below the lowest ground where that is lower.
+  double base_below_toe_m = 5;
   std::vector<MapPolygon> where;          ///< empty: everywhere no other model applies
 };
 
