@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   leda::server::add_serve(app, exit_code);
   leda::server::add_map(app, exit_code);
   leda::server::add_simulate(app, exit_code);
+  leda::server::add_screen(app, exit_code);
   leda::server::add_dss(app, exit_code);
   leda::server::add_calibrate(app, exit_code);
   leda::server::add_fit(app, exit_code);

@@ -84,7 +84,7 @@ TEST(SiteFile, EveryFaultAtOnceWithItsPointer) {
   json site = json::parse(sainte_monique);
   site["height_m"] = -3;
   site["slope_angle_deg"] = 95;
-  site["peak_strain"] = 2.4;
+  site["peak_strain"] = 1.5;
   site["remolded_strength_kPa"] = 50;
   site["softening"].erase("beta");
   site["softening"]["betta"] = 2.8;
