@@ -61,7 +61,7 @@ TEST_F(CommandLine, ADemWithoutACrsIsRefused) {
   request["inputs"]["dem"] = (folder.path() / "bank.asc").string();
   const Output output = run_leda({"map", region_file(request), "--data", data()});
   EXPECT_EQ(output.exit_code, 2);
-  EXPECT_NE(output.errors.find("CRS"), std::string::npos) << output.errors;
+  EXPECT_NE(output.errors.find("coordinate reference system"), std::string::npos) << output.errors;
 }
 
 TEST_F(CommandLine, AMapIsMadeComparedAndExported) {

@@ -19,15 +19,22 @@ using nlohmann::json;
 
 class Kill : public testing::Test {
  protected:
-  std::string submit(LedaServer& server) {
+  std::string submit(LedaServer& server, const json& region = slower_region()) {
     write_bank(folder.path() / "bank.asc");
     std::ifstream file(folder.path() / "bank.asc", std::ios::binary);
     const std::string dem{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     server.client().Post(std::string("/rasters") + bank_query, dem, "image/tiff");
-    const auto answer = server.client().Post("/processes/map-region/execution",
-                                             bank_region().dump(), "application/json");
+    const auto answer =
+        server.client().Post("/processes/map-region/execution", region.dump(), "application/json");
     if (!answer || answer->status != 201) throw std::runtime_error("the job was not accepted");
     return json::parse(answer->body)["jobID"];
+  }
+
+  /// Fine enough that there is time to kill it.
+  static json slower_region() {
+    json region = bank_region();
+    region["inputs"]["resolution"]["cell_m"] = 1.5;
+    return region;
   }
 
   static std::vector<pid_t> wait_for_workers(const LedaServer& server) {
@@ -60,7 +67,8 @@ TEST_F(Kill, TheServerAgainAndAgain) {
     LedaServer server(folder.path() / "data", {"--workers", "2"});
     if (job.empty()) job = submit(server);
     const auto workers = wait_for_workers(server);
-    std::this_thread::sleep_for(150ms * (kills + 1));
+    std::this_thread::sleep_for(50ms * (kills + 1));
+    EXPECT_EQ(server.get("/jobs/" + job)["status"], "running") << "there was nothing to kill";
     server.kill_hard();
     std::this_thread::sleep_for(200ms);
     for (const pid_t worker : workers) EXPECT_FALSE(is_alive(worker));
@@ -73,7 +81,7 @@ TEST_F(Kill, TheServerRightAfterItsReply) {
   std::string job;
   {
     LedaServer server(folder.path() / "data");
-    job = submit(server);
+    job = submit(server, bank_region());
     server.kill_hard();
   }
   LedaServer server(folder.path() / "data", {"--workers", "2"});
@@ -86,7 +94,8 @@ TEST_F(Kill, Workers) {
   for (const pid_t worker : wait_for_workers(server)) kill(worker, SIGKILL);
   expect_all_results_once(server, job);
   int tries = 0;
-  for (const auto& section : server.get("/jobs/" + job + "/sections")["sections"]) {
+  const json sections = server.get("/jobs/" + job + "/sections")["sections"];
+  for (const auto& section : sections) {
     tries += section["attempts"].get<int>();
   }
   EXPECT_GT(tries, 4);
@@ -119,13 +128,16 @@ TEST_F(Kill, TheRestartedServerGivesTheSameResultsAsOneThatWasNeverKilled) {
     if (job.empty()) job = submit(server);
     server.wait_for_job(job);
     std::vector<double> all;
-    for (const auto& section : server.get("/jobs/" + job + "/sections")["sections"]) {
+    const json sections = server.get("/jobs/" + job + "/sections")["sections"];
+    for (const auto& section : sections) {
       all.push_back(section["crest_to_crest_retrogression_m"]);
       all.push_back(section["runout_m"]);
     }
     return all;
   };
-  EXPECT_EQ(distances("killed", true), distances("quiet", false));
+  const auto killed = distances("killed", true);
+  EXPECT_EQ(killed.size(), 8U);
+  EXPECT_EQ(killed, distances("quiet", false));
 }
 
 }  // namespace
