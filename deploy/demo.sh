@@ -97,8 +97,8 @@ echo "AA' and BB' side by side (drawing: $out/AA-BB.svg)"
     | @tsv' <<<"$comparison"
 } | table
 
-ask "$url/jobs/$job/export?f=gpkg" -o "$out/zones.gpkg"
-ask "$url/jobs/$job/export?f=geojson" -o "$out/zones.geojson"
+curl -fsS -o "$out/zones.gpkg" "$url/jobs/$job/export?f=gpkg"
+curl -fsS -o "$out/zones.geojson" "$url/jobs/$job/export?f=geojson"
 echo
 echo "Zones:   $out/zones.gpkg and $out/zones.geojson (open them in QGIS)"
 echo "Data:    $out/data, served again by: $leda serve --data $out/data"
