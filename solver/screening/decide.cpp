@@ -97,8 +97,6 @@ class Decider {
     return conclude();
   }
 
-  ScreeningResult& result() { return result_; }
-
  private:
   void find_intact() {
     if (!result_.undrained.bishop) set_intact(undrained_bishop(section_, section_.ground));

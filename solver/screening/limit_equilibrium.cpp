@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t starts = 5;
 constexpr std::size_t starts_of_other_methods = 3;
 
-std::string undrained_only(const Section& section) {
+/// Empty where every material has one.
+std::string missing_drained_strength(const Section& section) {
   for (const Layer& layer : section.layers) {
     if (!section.materials.at(layer.material).drained) {
       return "material " + layer.material + " has no drained strength";
@@ -44,7 +45,7 @@ CriticalSurface describe(const SlopeModel& model, const GroundPath& path,
 FactorsOfSafety factors_of_safety(const Section& section, const Polyline& ground,
                                   Drainage drainage) {
   FactorsOfSafety factors;
-  if (drainage == Drainage::drained) factors.why_not = undrained_only(section);
+  if (drainage == Drainage::drained) factors.why_not = missing_drained_strength(section);
   if (!factors.why_not.empty()) return factors;
   const SlopeModel model(section, ground, drainage);
   const GroundPath path(ground);

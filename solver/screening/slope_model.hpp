@@ -1,6 +1,7 @@
 #pragma once
 // A section resolved for limit equilibrium: what stands above a point, and what strength it has.
 
+#include <algorithm>
 #include <vector>
 
 #include "solver/screening/limit_equilibrium.hpp"
@@ -8,7 +9,7 @@
 
 namespace leda::solver {
 
-/// Walks along a line from left to right in constant time a step.
+/// Walks along a line from left to right: one search to begin with, then constant time a step.
 class LineWalker {
  public:
   explicit LineWalker(const Polyline& line) : line_(&line) {}
@@ -16,6 +17,10 @@ class LineWalker {
   /// @pre x is not less than at the last call
   double at(double x) {
     const Polyline& line = *line_;
+    if (next_ == 0) {
+      const auto from = std::ranges::lower_bound(line, x, {}, &Point::x);
+      next_ = static_cast<std::size_t>(from - line.begin());
+    }
     while (next_ < line.size() && line[next_].x < x) ++next_;
     if (next_ == 0) return line.front().z;
     if (next_ == line.size()) return line.back().z;

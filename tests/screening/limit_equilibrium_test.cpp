@@ -228,6 +228,19 @@ TEST(LimitEquilibrium, AStrongCrustHelps) {
   EXPECT_GT(undrained(s), 1.05 * plain);
 }
 
+// A profile from a DEM: a point every metre, each off by up to 0.1 m.
+TEST(LimitEquilibrium, RoughnessOfTheGroundChangesLittle) {
+  const Section smooth = plane_bank(10, 30, 1.5, clay_of(17e3, 30e3));
+  Section rough = smooth;
+  rough.ground.clear();
+  const double width = smooth.ground.back().x;
+  for (int i = 0; i <= static_cast<int>(width); ++i) {
+    const double off = 0.1 * std::sin(12.9898 * i) * std::cos(78.233 * i);
+    rough.ground.push_back({static_cast<double>(i), elevation_at(smooth.ground, i) + off});
+  }
+  EXPECT_NEAR(undrained(rough), undrained(smooth), 0.03 * undrained(smooth));
+}
+
 TEST(LimitEquilibrium, FlatGroundHasNoFactor) {
   Section s = plane_bank(10, 30, 1.5, clay_of(17e3, 30e3));
   s.ground = {{0, 5}, {100, 5}};

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "solver/screening/slide_energy.hpp"
 #include "tests/screening/banks.hpp"
 
@@ -105,6 +107,48 @@ TEST(RemoldingEnergy, CurveOfEq310IsNotContinuous) {
     if (row.text("site") == "Sainte-Monique") {
       EXPECT_NEAR(at_peak, 36473, 1);
     }
+  }
+}
+
+// Table 3-4 prints beta negative and per per cent. Taken literally in exp(-beta gamma) with strain
+// in per cent, the clay would strengthen hundredfold; its size per unit strain makes it soften.
+TEST(RemoldingEnergy, BetaOfTable34HasTheWrongSign) {
+  for (const auto& row : table("thesis_tables_3_3_3_4.csv")) {
+    const double literal = std::exp(-row["beta_per_percent"] * row["residual_strain_percent"]);
+    EXPECT_GT(row["alpha"] * literal, 100) << row.text("site");
+    const PostPeakCurve c = curve_of_row(row);
+    EXPECT_GT(c.beta, 0);
+    EXPECT_LT(c.alpha * std::exp(-c.beta * c.residual_strain), 0.007) << row.text("site");
+  }
+}
+
+// Eq. 3-19 adds the linear part where eqs 3-20 and 3-22 take it away: read literally, the energy
+// left is too high by twice that part, a third to more than the whole of the remolding energy.
+TEST(RemoldingEnergy, Eq319HasAPlusForAMinus) {
+  for (const auto& row : table("thesis_tables_3_3_3_4.csv")) {
+    const PostPeakCurve c = curve_of_row(row);
+    const double linear =
+        0.5 * (c.residual_Pa + c.remolded_Pa) * (c.remolded_strain - c.residual_strain);
+    const double exponential = remolding_energy(c) - linear;
+    const Site site = test::site_of_row(row);
+    const double potential = potential_energy(site.unit_weight, site.height_m);
+    const double literal = potential - exponential + linear;
+    EXPECT_GT(literal - (potential - remolding_energy(c)), 0.33 * remolding_energy(c))
+        << row.text("site");
+    if (row.text("site") == "Casselman") {
+      EXPECT_GT(literal, potential);
+    }
+  }
+}
+
+// Tables 3-1 and 3-2 give two clays another peak strength: 30 and 31, 35 and 32 kPa.
+TEST(RemoldingEnergy, PeakStrengthsOfTables31And32Differ) {
+  std::map<std::string, double> first;
+  for (const auto& row : table("thesis_table_3_1.csv")) first[row.text("code")] = row["peak_kPa"];
+  for (const auto& row : table("thesis_table_3_2.csv")) {
+    const std::string& code = row.text("code");
+    const bool differs = code == "SLE 4.8m" || code == "HIL";
+    EXPECT_EQ(first.at(code) != row["peak_kPa"], differs) << code;
   }
 }
 
