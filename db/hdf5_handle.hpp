@@ -43,6 +43,8 @@ class Hdf5Handle {
     std::swap(close_, other.close_);
     return *this;
   }
+  Hdf5Handle(const Hdf5Handle&) = delete;
+  Hdf5Handle& operator=(const Hdf5Handle&) = delete;
   ~Hdf5Handle() { close(); }
 
   operator hid_t() const { return id_; }  // NOLINT: it stands for the identifier everywhere
