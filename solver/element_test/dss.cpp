@@ -96,15 +96,14 @@ DssCurve dss_of_bare_law(const DssElement& element, std::optional<double> max_st
   const SofteningCurve& law = element.law;
   const double g = element.shear_modulus_Pa;
   const double end = max_strain.value_or(default_max_strain(law, g));
-  DssCurve curve{
-      .height_m = element.height_m, .points = {{0, 0, 0}}, .snaps_back = steepest_loss(law) > g};
-  const double yield_strain = law.peak / g;
-  if (end <= yield_strain) {
-    curve.points.push_back({end, g * end, 0});
-    return curve;
-  }
+  DssCurve curve{.height_m = element.height_m, .points = {}, .snaps_back = steepest_loss(law) > g};
   GrowingStrain path(curve.points);
-  path.add({yield_strain, law.peak, 0});
+  const double elastic_end = std::min(end, law.peak / g);
+  for (int i = 0; i <= samples_of_rise; ++i) {
+    const double strain = elastic_end * i / samples_of_rise;
+    path.add({strain, g * strain, 0});
+  }
+  if (end <= elastic_end) return curve;
   for (const double plastic : sample_law(law, end)) {
     const double stress = strength(law, plastic);
     const DssPoint next{plastic + stress / g, stress, plastic};

@@ -122,6 +122,17 @@ TEST_F(Commands, WhatIsNotThereIsNamed) {
   EXPECT_EQ(leda("calibrate case.json --material crust --cell 1").code, 2);
 }
 
+// Rate and flow laws stand ready, but no run uses them: a case that asks for one is refused.
+TEST_F(Commands, ACaseThatAsksForARateLawIsRefused) {
+  const Said made = leda(
+      "--version && sed 's/\"unit_weight_kN_m3\": 18/\"rate\": {\"law\": "
+      "\"power\"}, &/' case.json > rate.json");
+  ASSERT_EQ(made.code, 0) << made.out;
+  const Said said = leda("dss rate.json --material clay");
+  EXPECT_EQ(said.code, 2);
+  EXPECT_NE(said.out.find("/materials/crust/rate"), std::string::npos) << said.out;
+}
+
 TEST_F(Commands, CalibrateGivesBothScalingsTwice) {
   const Said said = leda("calibrate case.json --material clay --cell 0.5 --json");
   ASSERT_EQ(said.code, 0) << said.out;
