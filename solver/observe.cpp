@@ -105,11 +105,17 @@ Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe
   return m;
 }
 
+void SlideCount::forget_oldest() {
+  std::copy(recent_.begin() + 1, recent_.end(), recent_.begin());
+  --recent_count_;
+}
+
 void SlideCount::observe(double time_s, double retrogression_m) {
-  recent_.push_back({time_s, retrogression_m});
+  if (recent_count_ == most_recent) forget_oldest();
+  recent_[recent_count_++] = {time_s, retrogression_m};
   // The last look before the window is kept: growth is measured over at least its length.
-  while (recent_.size() > 2 && recent_[1][0] <= time_s - slide_window_s) recent_.pop_front();
-  const double growth = retrogression_m - recent_.front()[1];
+  while (recent_count_ > 2 && recent_[1][0] <= time_s - slide_window_s) forget_oldest();
+  const double growth = retrogression_m - recent_[0][1];
   if (!sliding_ && growth >= slide_begins_m) {
     sliding_ = true;
     ++count_;

@@ -2,7 +2,6 @@
 // From particles to what an engineer reads: surface, backscarp, front, slides.
 
 #include <array>
-#include <deque>
 #include <vector>
 
 #include "solver/section/crest_and_toe.hpp"
@@ -54,7 +53,11 @@ class SlideCount {
   int count() const { return count_; }
 
  private:
-  std::deque<std::array<double, 2>> recent_;  ///< time, retrogression within the window
+  void forget_oldest();
+
+  static constexpr std::size_t most_recent = 16;
+  std::array<std::array<double, 2>, most_recent> recent_{};  ///< time, retrogression
+  std::size_t recent_count_ = 0;
   bool sliding_ = false;
   int count_ = 0;
 };

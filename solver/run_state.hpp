@@ -12,6 +12,15 @@
 
 namespace leda::solver {
 
+/// Where a moving stage stands.
+struct StageClock {
+  enum class Stage : std::int32_t { none, softening, toe_cut };
+  Stage stage = Stage::none;
+  double next_look = 0, next_frame = 0;  ///< s
+  double still_since = -1;               ///< no particle faster than the rest speed since, s
+  double still_kinetic = 0;              ///< kinetic energy then, J per metre
+};
+
 struct RunState {
   const Section* section = nullptr;
   const RunSettings* settings = nullptr;
@@ -31,6 +40,10 @@ struct RunState {
   double particle_steps = 0;
   double travel = 0;  ///< the most a particle may have moved since the last sort, m
   int since_sort = 0;
+  StageClock clock;
+  bool resumed = false;        ///< the state comes from a checkpoint
+  std::int64_t frames = 0;     ///< handed to the listener so far
+  double run_time_before = 0;  ///< of the processes before this one, s
   std::vector<std::string> warnings;
 };
 

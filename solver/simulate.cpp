@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "solver/checkpoint.hpp"
 #include "solver/initial_stress.hpp"
 #include "solver/softening_stage.hpp"
 #include "solver/sort_particles.hpp"
@@ -36,20 +37,21 @@ void keep_worst(RunState& run) {
 
 // Softening on; where the section stands and a cut is asked for, the cut.
 StageEnd trigger_and_run(RunState& run, std::string& used) {
-  used = "undrained";
-  if (const auto* excavation = std::get_if<ExcavationTrigger>(&run.settings->trigger)) {
-    used = "excavation";
-    excavate(run, excavation->polygon);
-  }
-  StageEnd end = run_softening(run, "softening");
-  keep_worst(run);
+  using Stage = StageClock::Stage;
+  const auto* excavation = std::get_if<ExcavationTrigger>(&run.settings->trigger);
   const auto* undrained = std::get_if<UndrainedTrigger>(&run.settings->trigger);
-  const bool stands = end.why == StageEnd::Why::at_rest &&
-                      !moved(measure(run.seeded, *run.section, run.bank, run.ground));
-  if (!stands || !undrained || !undrained->then_toe_cut_m) return end;
+  if (run.clock.stage != Stage::toe_cut) {
+    used = excavation ? "excavation" : "undrained";
+    if (excavation && !run.resumed) excavate(run, excavation->polygon);
+    const StageEnd end = run_stage(run, Stage::softening);
+    keep_worst(run);
+    const bool stands = end.why == StageEnd::Why::at_rest &&
+                        !moved(measure(run.seeded, *run.section, run.bank, run.ground));
+    if (!stands || !undrained || !undrained->then_toe_cut_m) return end;
+    excavate(run, toe_cut(*run.section, run.bank, *undrained->then_toe_cut_m));
+  }
   used = "toe-cut";
-  excavate(run, toe_cut(*run.section, run.bank, *undrained->then_toe_cut_m));
-  end = run_softening(run, "toe cut");
+  const StageEnd end = run_stage(run, Stage::toe_cut);
   keep_worst(run);
   return end;
 }
@@ -136,12 +138,11 @@ SectionResult simulate(const Section& section, const RunSettings& settings,
   RunState run = start(section, settings, listener);
   std::string used = "none";
   StageEnd end;
-  if (auto early = find_initial_stress(run)) {
-    end = *early;
-  } else {
-    if (listener.frame) listener.frame(frame(run.seeded, run.seeded.laws, 0));
-    end = trigger_and_run(run, used);
-  }
+  if (!listener.resume_from.empty()) load_state(listener.resume_from, run);
+  std::optional<StageEnd> early;
+  if (!run.resumed) early = find_initial_stress(run);
+  if (!run.resumed && !early) show_frame(run);
+  end = early ? *early : trigger_and_run(run, used);
   if (sort_particles(run.seeded.particles, run.seeded.grid)) {
     const Balances balance = transfer_balance(run.seeded.particles, run.seeded.grid);
     run.worst.mass = balance.mass;
@@ -149,8 +150,9 @@ SectionResult simulate(const Section& section, const RunSettings& settings,
   }
   SectionResult result = result_of(run, end);
   result.trigger_used = used;
-  if (listener.frame) listener.frame(frame(run.seeded, run.seeded.laws, run.time));
-  result.run_time_s = std::chrono::duration<double>(Clock::now() - began).count();
+  show_frame(run);
+  result.run_time_s =
+      run.run_time_before + std::chrono::duration<double>(Clock::now() - began).count();
   if (run.particle_steps > 0)
     result.ns_per_particle_step = result.run_time_s * 1e9 / run.particle_steps;
   return result;

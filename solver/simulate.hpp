@@ -22,6 +22,13 @@ struct Listener {
   std::function<void(const Progress&)> progress;
   std::function<void(const Frame&)> frame;  ///< first, every frame_interval_s, last
   std::function<bool()> interrupted;        ///< asked a few times a second; true ends the run
+  /// Takes the state of a moving run every checkpoint_interval_s of the wall clock and when it
+  /// is interrupted; `frames` is how many frames were handed over before it.
+  std::function<void(const std::string& state, std::int64_t frames)> checkpoint;
+  double checkpoint_interval_s = 30;
+  /// A state that checkpoint got from the same case and program: the run goes on from there and
+  /// gives the same result and the same later frames as one that was never interrupted.
+  std::string resume_from;
 };
 
 /// Runs one section, serially and with the same bytes every time.

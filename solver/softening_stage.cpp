@@ -1,7 +1,9 @@
 #include "solver/softening_stage.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <chrono>
+
+#include "solver/checkpoint.hpp"
 
 namespace leda::solver {
 
@@ -11,36 +13,26 @@ constexpr double rest_speed = 0.05;    // m/s
 constexpr double rest_kinetic = 1e-4;  // of the peak
 constexpr double rest_window_s = 1.0;
 constexpr double look_interval_s = 0.1;
-
-// Watches for rest: the window starts anew with every particle above the rest speed.
-class RestWatch {
- public:
-  bool at_rest(double time, double fastest, const EnergyAudit& audit) {
-    if (fastest > rest_speed || since_ < 0) {
-      since_ = time;
-      kinetic_ = audit.kinetic;
-      return false;
-    }
-    if (time - since_ < rest_window_s) return false;
-    const bool calm = audit.kinetic < rest_kinetic * audit.kinetic_peak;
-    const bool fading = audit.kinetic <= kinetic_;
-    since_ = time;
-    kinetic_ = audit.kinetic;
-    return calm || fading;
-  }
-
- private:
-  double since_ = -1;
-  double kinetic_ = 0;
-};
-
-void report(RunState& run, const char* stage) {
-  if (!run.listener->progress) return;
-  const double share = run.time / run.settings->stop.max_time_s;
-  run.listener->progress({std::min(share, 1.0), run.time, stage});
-}
-
 constexpr double most_energy_fed = 0.1;  // of the scale of the audit
+
+using Wall = std::chrono::steady_clock;
+
+// The window of rest starts anew whenever a particle is above the rest speed.
+bool at_rest(RunState& run) {
+  StageClock& clock = run.clock;
+  const double kinetic = run.audit.kinetic;
+  if (run.fastest > rest_speed || clock.still_since < 0) {
+    clock.still_since = run.time;
+    clock.still_kinetic = kinetic;
+    return false;
+  }
+  if (run.time - clock.still_since < rest_window_s) return false;
+  const bool calm = kinetic < rest_kinetic * run.audit.kinetic_peak;
+  const bool fading = kinetic <= clock.still_kinetic;
+  clock.still_since = run.time;
+  clock.still_kinetic = kinetic;
+  return calm || fading;
+}
 
 // Negative plastic work: the stress update has fed energy to the motion.
 std::optional<StageEnd> check_plastic_work(const RunState& run) {
@@ -52,34 +44,66 @@ std::optional<StageEnd> check_plastic_work(const RunState& run) {
                       " % of the energy that moved): the stress update feeds energy"};
 }
 
-void look(RunState& run, const char* stage) {
+void look(RunState& run) {
   const Movement m = measure(run.seeded, *run.section, run.bank, run.ground);
   run.slides.observe(run.time, m.retrogression_m);
-  report(run, stage);
+  if (!run.listener->progress) return;
+  const double share = run.time / run.settings->stop.max_time_s;
+  const bool cut = run.clock.stage == StageClock::Stage::toe_cut;
+  run.listener->progress({std::min(share, 1.0), run.time, cut ? "toe cut" : "softening"});
+}
+
+// Checkpoints by the wall clock; they only copy the state and cannot change the run.
+class Checkpoints {
+ public:
+  void maybe(const RunState& run, bool now) {
+    if (!run.listener->checkpoint) return;
+    const std::chrono::duration<double> since = Wall::now() - last_;
+    if (!now && since.count() < run.listener->checkpoint_interval_s) return;
+    RunState copy = run;
+    copy.run_time_before += std::chrono::duration<double>(Wall::now() - began_).count();
+    run.listener->checkpoint(save_state(copy), run.frames);
+    last_ = Wall::now();
+  }
+
+ private:
+  Wall::time_point began_ = Wall::now(), last_ = began_;
+};
+
+void begin(RunState& run, StageClock::Stage stage) {
+  run.audit = begin_audit(run.seeded.particles, run.seeded.laws, run.seeded.grid.h);
+  run.clock = StageClock{};
+  run.clock.stage = stage;
+  run.clock.next_look = run.time + look_interval_s;
+  run.clock.next_frame = run.time + run.settings->output.frame_interval_s;
 }
 
 }  // namespace
 
-StageEnd run_softening(RunState& run, const char* stage) {
-  RestWatch rest;
-  run.audit = begin_audit(run.seeded.particles, run.seeded.laws, run.seeded.grid.h);
-  double next_look = run.time + look_interval_s;
+void show_frame(RunState& run) {
+  if (!run.listener->frame) return;
+  run.listener->frame(frame(run.seeded, run.seeded.laws, run.time));
+  ++run.frames;
+}
+
+StageEnd run_stage(RunState& run, StageClock::Stage stage) {
+  if (run.clock.stage != stage) begin(run, stage);
+  Checkpoints checkpoints;
   const double frames = run.settings->output.frame_interval_s;
-  double next_frame = run.time + frames;
   while (run.time < run.settings->stop.max_time_s) {
     if (auto end = advance(run, run.seeded.laws, run.settings->damping.dynamic, true)) return *end;
-    if (frames > 0 && run.listener->frame && run.time >= next_frame) {
-      run.listener->frame(frame(run.seeded, run.seeded.laws, run.time));
-      next_frame += frames;
+    if (frames > 0 && run.time >= run.clock.next_frame) {
+      show_frame(run);
+      run.clock.next_frame += frames;
     }
-    if (run.time < next_look) continue;
-    next_look += look_interval_s;
-    look(run, stage);
+    if (run.time < run.clock.next_look) continue;
+    run.clock.next_look += look_interval_s;
+    look(run);
     if (auto end = check_plastic_work(run)) return *end;
-    if (rest.at_rest(run.time, run.fastest, run.audit)) return {};
-    if (run.listener->interrupted && run.listener->interrupted()) {
-      return {StageEnd::Why::interrupted, ""};
-    }
+    if (at_rest(run)) return {};
+    const bool interrupted = run.listener->interrupted && run.listener->interrupted();
+    checkpoints.maybe(run, interrupted);
+    if (interrupted) return {StageEnd::Why::interrupted, ""};
   }
   return {StageEnd::Why::time_limit, ""};
 }

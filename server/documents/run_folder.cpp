@@ -11,6 +11,7 @@
 #include "db/view_file.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/result_document.hpp"
+#include "server/documents/run_checkpoint.hpp"
 
 namespace leda::server {
 namespace {
@@ -64,21 +65,34 @@ SectionResult simulate_into(const CaseFile& run, const std::string& sha256, cons
   std::optional<db::ViewWriter> view;
   if (run.settings.output.paraview) view.emplace(folder);
   ProgressFile progress(folder / "progress.json");
+  RunCheckpoint checkpoint(folder, sha256, LEDA_VERSION);
+  const auto show = [&](const Frame& frame) {
+    fields.append(frame);
+    if (view) view->append(frame);
+  };
 
   solver::Listener listener;
+  auto left = checkpoint.read();
+  if (left.state.empty()) checkpoint.remove();
+  for (const Frame& frame : left.frames) show(frame);
+  listener.resume_from = std::move(left.state);
+  listener.checkpoint = [&](const std::string& state, std::int64_t frames) {
+    checkpoint.keep(state, frames);
+  };
   listener.progress = [&](const solver::Progress& p) {
     progress.write(p);
     if (options.progress) options.progress(p);
   };
   listener.frame = [&](const Frame& frame) {
-    fields.append(frame);
-    if (view) view->append(frame);
+    show(frame);
+    checkpoint.add(frame);
   };
   listener.interrupted = options.interrupted;
   SectionResult result = solver::simulate(run.section, run.settings, listener);
   if (result.status == RunStatus::interrupted) return result;
   fields.close();
   if (view) view->close();
+  checkpoint.remove();
   return result;
 }
 

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "db/result_file.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/result_document.hpp"
+#include "server/documents/run_checkpoint.hpp"
 #include "tests/server/documents/read_data.hpp"
 
 namespace leda::server {
@@ -82,6 +84,50 @@ TEST_F(RunFolder, AnInterruptedRunLeavesNoResultAndRunsAgain) {
   EXPECT_FALSE(fs::exists(folder / "fields.h5"));
   EXPECT_EQ(run_case(text, folder).code, ExitCode::result);
   EXPECT_TRUE(fs::exists(folder / "result.json"));
+}
+
+// The same command continues from the checkpoint and gives what a whole run gives.
+TEST_F(RunFolder, AnInterruptedRunGoesOnWhereItStopped) {
+  const std::string text = test::read_case("small-bank.json");
+  ASSERT_EQ(run_case(text, folder / "whole", {}).code, ExitCode::result);
+  double reached = 0;
+  RunOptions options;
+  options.progress = [&](const solver::Progress& p) { reached = p.time_s; };
+  options.interrupted = [&] { return reached > 0.5; };
+  ASSERT_EQ(run_case(text, folder / "parts", options).code, ExitCode::interrupted);
+  EXPECT_TRUE(fs::exists(folder / "parts" / "checkpoint.bin"));
+  double first_heard = -1;
+  options.interrupted = nullptr;
+  options.progress = [&](const solver::Progress& p) {
+    if (first_heard < 0) first_heard = p.time_s;
+  };
+  ASSERT_EQ(run_case(text, folder / "parts", options).code, ExitCode::result);
+  EXPECT_GT(first_heard, 0.5) << "it began anew";
+  EXPECT_FALSE(fs::exists(folder / "parts" / "checkpoint.bin"));
+  const auto whole = db::read_result_file(folder / "whole" / "fields.h5");
+  const auto parts = db::read_result_file(folder / "parts" / "fields.h5");
+  ASSERT_EQ(whole.size(), parts.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(whole[i].x, parts[i].x);
+    EXPECT_EQ(whole[i].plastic_strain, parts[i].plastic_strain);
+  }
+}
+
+TEST_F(RunFolder, ACheckpointThatCannotBeTrustedIsIgnored) {
+  const std::string text = test::read_case("small-bank.json");
+  double reached = 0;
+  RunOptions options;
+  options.progress = [&](const solver::Progress& p) { reached = p.time_s; };
+  options.interrupted = [&] { return reached > 0.3; };
+  ASSERT_EQ(run_case(text, folder, options).code, ExitCode::interrupted);
+  const std::string good = read("checkpoint.bin");
+  for (const std::string& bad :
+       {std::string("nonsense"), good.substr(0, good.size() - 1), good + "x", std::string()}) {
+    std::ofstream(folder / "checkpoint.bin", std::ios::binary | std::ios::trunc) << bad;
+    EXPECT_TRUE(
+        RunCheckpoint(folder, case_sha256(*parse_case_file(text).value), "0").read().state.empty());
+    EXPECT_EQ(run_case(text, folder, {}).code, ExitCode::result);
+  }
 }
 
 TEST_F(RunFolder, WhatCannotBeWrittenIsNamed) {

@@ -1,0 +1,151 @@
+#include "solver/checkpoint.hpp"
+
+#include <cstring>
+#include <type_traits>
+
+namespace leda::solver {
+
+namespace {
+
+constexpr std::uint64_t format = 0x4c454441'00000001;  // "LEDA", 1
+
+class Writer {
+ public:
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void operator()(const T& value) {
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  template <class T>
+  void operator()(const std::vector<T>& values) {
+    (*this)(std::uint64_t{values.size()});
+    for (const T& value : values) (*this)(value);
+  }
+  void operator()(const std::vector<double>& values) { block(values); }
+  void operator()(const std::vector<std::int32_t>& values) { block(values); }
+  void operator()(const std::string& text) {
+    (*this)(std::uint64_t{text.size()});
+    bytes_.append(text);
+  }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  template <class T>
+  void block(const std::vector<T>& values) {
+    (*this)(std::uint64_t{values.size()});
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  }
+  std::string bytes_;
+};
+
+// Reading past the end leaves the value as it was and is told by good().
+class Reader {
+ public:
+  explicit Reader(const std::string& bytes) : bytes_(bytes) {}
+
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void operator()(T& value) {
+    if (take(sizeof value)) std::memcpy(&value, bytes_.data() + at_ - sizeof value, sizeof value);
+  }
+  template <class T>
+  void operator()(std::vector<T>& values) {
+    const std::uint64_t count = size();
+    values.clear();
+    for (std::uint64_t i = 0; i < count && good_; ++i) (*this)(values.emplace_back());
+  }
+  void operator()(std::vector<double>& values) { block(values); }
+  void operator()(std::vector<std::int32_t>& values) { block(values); }
+  void operator()(std::string& text) {
+    const std::uint64_t count = size();
+    if (take(count)) text.assign(bytes_, at_ - count, count);
+  }
+  bool good() const { return good_; }
+  bool at_end() const { return good_ && at_ == bytes_.size(); }
+
+ private:
+  bool take(std::uint64_t count) {
+    good_ = good_ && count <= bytes_.size() - at_;
+    if (good_) at_ += count;
+    return good_;
+  }
+  std::uint64_t size() {
+    std::uint64_t count = 0;
+    (*this)(count);
+    if (count > bytes_.size()) good_ = false;
+    return good_ ? count : 0;
+  }
+  template <class T>
+  void block(std::vector<T>& values) {
+    const std::uint64_t count = size();
+    if (!take(count * sizeof(T))) return;
+    values.resize(count);
+    std::memcpy(values.data(), bytes_.data() + at_ - count * sizeof(T), count * sizeof(T));
+  }
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+  bool good_ = true;
+};
+
+// One list for both ways, so that they cannot differ.
+template <class Archive, class Run>
+void transfer_state(Archive& archive, Run& run) {
+  auto& p = run.seeded.particles;
+  archive(p.count);
+  for (auto* array :
+       {&p.x, &p.z, &p.vx, &p.vz, &p.cxx, &p.cxz, &p.czx, &p.czz, &p.sxx, &p.szz, &p.sxz, &p.syy,
+        &p.mass, &p.volume, &p.plastic_strain, &p.start_x, &p.start_z}) {
+    archive(*array);
+  }
+  archive(p.law);
+  archive(p.id);
+  archive(run.seeded.grid.top);
+  archive(run.slides);
+  archive(run.audit);
+  archive(run.worst);
+  archive(run.numerical_dissipation);
+  archive(run.time);
+  archive(run.fastest);
+  archive(run.steps);
+  archive(run.particle_steps);
+  archive(run.travel);
+  archive(run.since_sort);
+  archive(run.clock);
+  archive(run.frames);
+  archive(run.run_time_before);
+  archive(run.warnings);
+}
+
+}  // namespace
+
+std::string save_state(const RunState& run) {
+  Writer writer;
+  writer(format);
+  writer(std::uint64_t{run.seeded.laws.rows()});
+  transfer_state(writer, run);
+  return writer.take();
+}
+
+bool load_state(const std::string& bytes, RunState& run) {
+  Reader reader(bytes);
+  std::uint64_t found = 0, rows = 0;
+  reader(found);
+  reader(rows);
+  if (!reader.good() || found != format || rows != run.seeded.laws.rows()) return false;
+  RunState read = run;
+  transfer_state(reader, read);
+  const Particles& p = read.seeded.particles;
+  bool fits = reader.at_end() && p.count <= run.seeded.particles.count &&
+              read.seeded.grid.top.size() == run.seeded.grid.top.size();
+  for (const auto* array : read.seeded.particles.arrays()) {
+    fits = fits &&
+           array->size() == (p.count + Particles::lanes - 1) / Particles::lanes * Particles::lanes;
+  }
+  fits = fits && p.law.size() == p.x.size() && p.id.size() == p.x.size();
+  if (!fits) return false;
+  run = std::move(read);
+  run.resumed = true;
+  return true;
+}
+
+}  // namespace leda::solver

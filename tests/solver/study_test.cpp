@@ -1,0 +1,150 @@
+#include "solver/study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace leda::solver {
+namespace {
+
+StudyRun run_of(double cell_m, int particles, std::uint64_t seed, double retrogression_m,
+                double runout_m, double run_time_s, RunStatus status = RunStatus::at_rest) {
+  SectionResult result;
+  result.status = status;
+  result.crest_to_crest_retrogression_m = retrogression_m;
+  result.runout_m = runout_m;
+  result.run_time_s = run_time_s;
+  return {{cell_m, particles, seed}, result, ""};
+}
+
+/// Fine and slow, coarse and near the reference, coarse and far from it.
+StudyQuestion question() {
+  StudyQuestion asked;
+  asked.settings = {{0.5, 4, 2}, {1, 4, 2}, {2, 4, 2}};
+  asked.reference = StudyReference{100, 50, "field"};
+  asked.wanted_error = 0.1;
+  return asked;
+}
+
+std::vector<StudyRun> runs() {
+  return {run_of(2, 4, 0, 130, 50, 1),    run_of(2, 4, 1, 120, 50, 1),
+          run_of(2, 4, 2, 110, 50, 1),    run_of(1, 4, 0, 104, 49, 10),
+          run_of(1, 4, 1, 108, 50, 12),   run_of(1, 4, 2, 112, 51, 14),
+          run_of(0.5, 4, 0, 101, 50, 90), run_of(0.5, 4, 1, 102, 50, 100),
+          run_of(0.5, 4, 2, 103, 50, 110)};
+}
+
+TEST(StudyRuns, GoFromCoarseToFineAndHoldEverySeed) {
+  const auto list = study_runs({{0.5, 4, 0}, {2, 9, 1}, {2, 4, 2}});
+  ASSERT_EQ(list.size(), 6U);
+  EXPECT_EQ(list[0].cell_m, 2);
+  EXPECT_EQ(list[0].particles_per_cell, 4);
+  EXPECT_EQ(list[0].seed, 0U);
+  EXPECT_EQ(list[2].seed, 2U);
+  EXPECT_EQ(list[3].particles_per_cell, 9);
+  EXPECT_EQ(list[5].cell_m, 0.5);
+}
+
+TEST(Summary, SpreadIsThatOfTheSample) {
+  const auto summary = summarize(question(), runs());
+  const Spread& coarse = *summary.settings[2].retrogression_m;
+  EXPECT_EQ(coarse.count, 3U);
+  EXPECT_DOUBLE_EQ(coarse.mean, 120);
+  EXPECT_DOUBLE_EQ(*coarse.standard_deviation, 10);
+  EXPECT_DOUBLE_EQ(coarse.least, 110);
+  EXPECT_DOUBLE_EQ(coarse.most, 130);
+}
+
+TEST(Summary, ErrorsAreSignedAndRelativeToTheReference) {
+  const auto summary = summarize(question(), runs());
+  EXPECT_DOUBLE_EQ(*summary.errors[0].retrogression, 0.3);
+  EXPECT_DOUBLE_EQ(*summary.errors[3].runout, -0.02);
+  EXPECT_DOUBLE_EQ(*summary.errors[3].of(Measure::both), 0.04);
+  EXPECT_DOUBLE_EQ(*summary.errors[3].of(Measure::runout), 0.02);
+  EXPECT_NEAR(summary.settings[1].by(Measure::both).error->mean, 0.08, 1e-12);
+}
+
+TEST(Summary, NamesTheFastestByMeanAndTheOneThatStaysWithinWithItsSpread) {
+  const auto summary = summarize(question(), runs());
+  // 1 m: mean error 8 %, spread 4 %: within 10 % by its mean alone.
+  EXPECT_EQ(summary.fastest_by(Measure::both).by_mean, 1U);
+  EXPECT_EQ(summary.fastest_by(Measure::both).by_mean_and_spread, 0U);
+  EXPECT_EQ(summary.fastest_by(Measure::runout).by_mean, 2U);
+}
+
+TEST(Summary, FloorPoolsTheSeedsOfAllSettings) {
+  const auto summary = summarize(question(), runs());
+  // Variances 100, 16, 1 with two degrees of freedom each.
+  EXPECT_NEAR(*summary.floor_retrogression, std::sqrt(117.0 / 3) / 100, 1e-12);
+}
+
+TEST(Summary, ASettingThatDidNotComeToRestIsShownAndNeverNamed) {
+  auto some = runs();
+  some[4].result->status = RunStatus::time_limit;
+  const auto summary = summarize(question(), some);
+  EXPECT_EQ(summary.settings[1].not_a_choice, "1 of 3 runs not at rest at their end");
+  EXPECT_EQ(summary.settings[1].retrogression_m->count, 3U);
+  EXPECT_FALSE(summary.settings[1].by(Measure::both).mean_within);
+  EXPECT_EQ(summary.fastest_by(Measure::both).by_mean, 0U);
+}
+
+TEST(Summary, UnstableAndMissingRunsLeaveNoNumbers) {
+  auto some = runs();
+  some[0].result->status = RunStatus::unstable;
+  some[1].result.reset();
+  some[1].reason = "killed";
+  const auto summary = summarize(question(), some);
+  const auto& coarse = summary.settings[2];
+  EXPECT_EQ(coarse.with_result, 1U);
+  EXPECT_DOUBLE_EQ(coarse.retrogression_m->mean, 110);
+  EXPECT_FALSE(coarse.retrogression_m->standard_deviation);
+  EXPECT_EQ(coarse.not_a_choice, "1 of 3 runs without a result, 1 of 3 runs unstable");
+  EXPECT_FALSE(summary.errors[0].retrogression);
+  EXPECT_FALSE(summary.errors[1].of(Measure::both));
+}
+
+TEST(Summary, ASingleRunIsNeverWithinWithItsSpread) {
+  StudyQuestion asked = question();
+  asked.settings = {{0.5, 4, 0}};
+  const auto summary = summarize(asked, {run_of(0.5, 4, 0, 100, 50, 90)});
+  EXPECT_EQ(summary.fastest_by(Measure::both).by_mean, 0U);
+  EXPECT_FALSE(summary.fastest_by(Measure::both).by_mean_and_spread);
+  EXPECT_FALSE(summary.floor_retrogression);
+}
+
+TEST(Summary, TheFinestSettingIsTheReferenceAndNoChoice) {
+  StudyQuestion asked = question();
+  asked.reference.reset();
+  const auto summary = summarize(asked, runs());
+  EXPECT_EQ(summary.reference_index, 0U);
+  EXPECT_DOUBLE_EQ(*summary.reference->retrogression_m, 102);
+  EXPECT_TRUE(summary.settings[0].is_reference);
+  EXPECT_EQ(summary.fastest_by(Measure::both).by_mean, 1U);
+}
+
+TEST(Summary, TheFinestReferenceIsOneWhoseRunsAllEnded) {
+  StudyQuestion asked = question();
+  asked.reference.reset();
+  auto some = runs();
+  some[7].result->status = RunStatus::left_domain;
+  const auto summary = summarize(asked, some);
+  EXPECT_EQ(summary.reference_index, 1U);
+  for (StudyRun& run : some) run.result->status = RunStatus::time_limit;
+  const auto none = summarize(asked, some);
+  EXPECT_FALSE(none.reference);
+  EXPECT_FALSE(none.settings[0].by(Measure::both).error);
+}
+
+TEST(Summary, ADistanceOfZeroInTheFinestRunsIsNotCompared) {
+  StudyQuestion asked = question();
+  asked.reference.reset();
+  auto some = runs();
+  for (StudyRun& run : some) run.result->runout_m = 0;
+  const auto summary = summarize(asked, some);
+  EXPECT_FALSE(summary.reference->runout_m);
+  EXPECT_FALSE(summary.errors[0].runout);
+  EXPECT_EQ(summary.errors[0].of(Measure::both), summary.errors[0].of(Measure::retrogression));
+}
+
+}  // namespace
+}  // namespace leda::solver
