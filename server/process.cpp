@@ -6,6 +6,7 @@
 
 #include "server/documents/published_schema.hpp"
 #include "server/map_region.hpp"
+#include "server/resolution_study.hpp"
 #include "server/simulate_section.hpp"
 
 namespace leda::server {
@@ -28,6 +29,7 @@ nlohmann::json description_of(PublishedSchema which) {
 
 nlohmann::json describe_region() { return description_of(PublishedSchema::region_request); }
 nlohmann::json describe_section() { return description_of(PublishedSchema::simulate_request); }
+nlohmann::json describe_study() { return description_of(PublishedSchema::study_request); }
 
 constexpr std::array table{
     Process{"map-region", "Map the hazard of a region",
@@ -37,6 +39,10 @@ constexpr std::array table{
     Process{"simulate-section", "Simulate one section",
             "Runs one case through the material point method: retrogression and runout",
             open_section, describe_section},
+    Process{"resolution-study", "Error against run time",
+            "Runs one case over cell sizes, particles per cell and seeds: the error and the run "
+            "time of every setting, and the fastest one within a wanted error",
+            open_study, describe_study, study_results},
 };
 
 }  // namespace

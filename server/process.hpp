@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +29,14 @@ class Work {
   /// The self-contained case file of a section, for `leda simulate`.
   virtual std::string case_file(const db::SectionRecord& section) const = 0;
 
+  /// What screening says of a waiting section; nothing where the job does not screen.
+  struct Screened {
+    std::string document;  ///< JSON, for the store
+    bool skip = false;     ///< clearly stable: not to be simulated
+    std::string reason;    ///< the deciding one
+  };
+  virtual std::optional<Screened> screen(const db::SectionRecord&) const { return {}; }
+
   virtual PlacedResult place(const db::SectionRecord& section,
                              const SectionResult& result) const = 0;
 
@@ -52,6 +61,10 @@ struct Process {
   /// "inputs" by name, as OGC API - Processes describes them, and the "definitions" that their
   /// schemas refer to.
   nlohmann::json (*describe)();
+  /// What the results of a finished job are, as "json", "csv" or "svg"; nullptr: its sections and
+  /// zones, as JSON alone.
+  std::string (*results)(const db::JobRecord& job, const std::vector<db::SectionRecord>& sections,
+                         std::string_view format) = nullptr;
 };
 
 std::span<const Process> processes();

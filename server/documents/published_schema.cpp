@@ -41,6 +41,15 @@ json simulate_schema() {
   return outer;
 }
 
+/// The study schema, with the case schema among its definitions.
+json study_schema() {
+  json schema = with_definitions(resolution_study_request_schema_text);
+  json inner = json::parse(case_schema_text);
+  inner.erase("$schema");
+  schema["definitions"]["case"] = inner;
+  return schema;
+}
+
 struct Published {
   explicit Published(json document) : text(std::move(document)) {
     valijson::SchemaParser parser;
@@ -54,11 +63,14 @@ const Published& published(PublishedSchema which) {
   static const Published case_file(with_definitions(case_schema_text));
   static const Published region(with_definitions(region_schema_text));
   static const Published simulate(simulate_schema());
+  static const Published study(study_schema());
   switch (which) {
     case PublishedSchema::case_file:
       return case_file;
     case PublishedSchema::region_request:
       return region;
+    case PublishedSchema::study_request:
+      return study;
     default:
       return simulate;
   }

@@ -38,6 +38,11 @@ db::JobRecord finished_job(const Service& service, const std::string& id) {
 /// Results of a finished job never change; a retry changes `updated`.
 std::string tag_of(const db::JobRecord& job) { return "\"" + job.id + "-" + job.updated + "\""; }
 
+const char* media_type_of(const std::string& format) {
+  if (format == "svg") return "image/svg+xml";
+  return format == "csv" ? "text/csv" : "application/json";
+}
+
 json rows_of(const Service& service, const db::JobRecord& job) {
   json rows = json::array();
   const std::string own = service.url + "/jobs/" + job.id + "/sections/";
@@ -54,13 +59,23 @@ json rows_of(const Service& service, const db::JobRecord& job) {
 }  // namespace
 
 Answer get_results(Service& service, const Call& call) {
-  format(call, {"json"});
   const auto job = finished_job(service, call.captured[0]);
+  const Process* process = find_process(job.process);
+  const bool own_form = process != nullptr && process->results != nullptr;
+  const std::string wanted =
+      own_form ? format(call, {"json", "csv", "svg"}) : format(call, {"json"});
   if (call.header("If-None-Match") == tag_of(job)) {
     Answer unchanged;
     unchanged.status = 304;
     unchanged.headers.emplace_back("ETag", tag_of(job));
     return unchanged;
+  }
+  if (own_form) {
+    Answer answer;
+    answer.type = media_type_of(wanted);
+    answer.body = process->results(job, service.store.sections(job.id), wanted);
+    answer.headers.emplace_back("ETag", tag_of(job));
+    return answer;
   }
   json results = {{"sections", rows_of(service, job)}};
   if (epsg_of(service.store, job) != 0) {

@@ -72,6 +72,19 @@ TEST(Summary, NamesTheFastestByMeanAndTheOneThatStaysWithinWithItsSpread) {
   EXPECT_EQ(summary.fastest_by(Measure::runout).by_mean, 2U);
 }
 
+TEST(Summary, CostLeavesOutWhatSlowedARun) {
+  auto some = runs();
+  for (StudyRun& run : some) run.result->ns_per_particle_step = 100;
+  EXPECT_DOUBLE_EQ(*summarize(question(), some).settings[1].cost_s, 12);
+  // The same work at a third of the pace, and a run of twice the steps at the full one.
+  some[4].result->run_time_s = 36;
+  some[4].result->ns_per_particle_step = 300;
+  some[5].result->run_time_s = 28;
+  const auto summary = summarize(question(), some);
+  EXPECT_DOUBLE_EQ(*summary.settings[1].cost_s, (10 + 12 + 28) / 3.0);
+  EXPECT_DOUBLE_EQ(summary.settings[1].run_time_s->most, 36);
+}
+
 TEST(Summary, FloorPoolsTheSeedsOfAllSettings) {
   const auto summary = summarize(question(), runs());
   // Variances 100, 16, 1 with two degrees of freedom each.

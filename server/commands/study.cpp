@@ -1,0 +1,118 @@
+// leda study: one section over cell sizes, particles and seeds; error against run time.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "db/store.hpp"
+#include "server/commands/commands.hpp"
+#include "server/commands/exit_code.hpp"
+#include "server/data_folder.hpp"
+#include "server/documents/interrupt_signals.hpp"
+#include "server/documents/run_folder.hpp"
+#include "server/documents/study_document.hpp"
+#include "server/documents/study_drawing.hpp"
+#include "server/local_executor.hpp"
+#include "server/problem.hpp"
+#include "server/study_folder.hpp"
+
+namespace leda::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* footer = R"(
+STUDY.json:
+  {"name": "bank", "case_file": "bank.json", "cell_m": [0.75, 1, 1.5],
+   "particles_per_cell": [4, 9], "seeds": 3,
+   "reference": {"retrogression_m": 100, "runout_m": 52, "source": "field survey"},
+   "wanted_error": 0.1, "workers": 2}
+case_file is relative to STUDY.json; "case" with a case in its place works too. "reference" may be
+"finest". Leaves study.json, study.csv and study.svg in DIR, and every run under DIR/runs. A study
+that was interrupted goes on where it was: runs that stand in DIR are not run again.
+Run times are wall times: let nothing else run on the machine, and no more workers than cores.
+Exit codes: 0 the study stands, 1 no run gave a result, 2 the study is invalid, 4 interrupted.)";
+
+struct Options {
+  fs::path study;
+  fs::path out;
+  std::optional<int> workers;
+  bool json = false;
+};
+
+StudyFile read_study(const fs::path& file) {
+  auto parsed = parse_study_file(read_whole(file), [&](const std::string& name) {
+    try {
+      return std::optional(read_whole(file.parent_path() / name));
+    } catch (const DataFolderError&) {
+      return std::optional<std::string>();
+    }
+  });
+  if (!parsed) {
+    throw Problem(Failure::invalid_request, "the study cannot be understood", parsed.faults);
+  }
+  return std::move(*parsed.value);
+}
+
+std::size_t workers_of(const Options& options, const StudyFile& study) {
+  const int wanted = options.workers.value_or(study.workers);
+  return wanted > 0 ? std::size_t(wanted) : std::max(1U, std::thread::hardware_concurrency());
+}
+
+void show(const StudyProgress& p) {
+  fmt::print(stderr, "\r\033[K{} of {} runs done ({} found), {} running", p.done, p.runs, p.found,
+             p.running);
+}
+
+void leave(const Study& study, const fs::path& out) {
+  write_whole(out / "study.csv", study_csv(study));
+  write_whole(out / "study.svg", study_svg(study));
+  write_whole(out / "study.json", to_document(study).dump(2) + "\n");
+}
+
+int run(const Options& options) {
+  StudyFile asked = read_study(options.study);
+  const InterruptSignals signals;
+  const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
+  fs::create_directories(options.out);
+  LocalExecutor executor(own_program(), workers_of(options, asked));
+  StudyListener listener;
+  listener.interrupted = InterruptSignals::arrived;
+  if (terminal) listener.progress = show;
+  StudyRuns done = run_study(asked, options.out, executor, listener);
+  if (terminal) fmt::print(stderr, "\n");
+  if (done.interrupted) {
+    fmt::print(stderr, "interrupted; the same command goes on where this one was\n");
+    return int(ExitCode::interrupted);
+  }
+  const Study study = conclude(std::move(asked), std::move(done.runs), db::utc_now());
+  leave(study, options.out);
+  if (options.json) fmt::print("{}\n", to_document(study).dump(2));
+  if (!options.json) {
+    fmt::print("{}{}\n", study_table(study), (options.out / "study.json").string());
+  }
+  const bool any = std::ranges::any_of(study.runs, solver::is_usable);
+  return any ? int(ExitCode::result) : int(ExitCode::failure);
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("study", "Error against run time of one section over resolutions");
+  command->add_option("study", options->study, "STUDY.json")->required()->check(CLI::ExistingFile);
+  command->add_option("--out", options->out, "folder of the study; made where it is missing")
+      ->required();
+  command
+      ->add_option("--workers", options->workers,
+                   "runs at the same time, in place of the study's; 0: one a core")
+      ->check(CLI::Range(0, 1024));
+  command->add_flag("--json", options->json, "print study.json");
+  command->footer(footer);
+  command->callback([options, &exit_code] { exit_code = guarded([&] { return run(*options); }); });
+}
+
+}  // namespace leda::server

@@ -1,0 +1,39 @@
+#pragma once
+// What a study says: study.json, study.csv, and a table for people.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "server/documents/study_file.hpp"
+#include "solver/study.hpp"
+
+namespace leda::server {
+
+struct Study {
+  StudyFile asked;
+  std::vector<solver::StudyRun> runs;
+  solver::StudySummary summary;
+  std::string date;  ///< UTC, ISO 8601: when the last of it was computed
+};
+
+/// Draws the conclusions from runs that are over.
+Study conclude(StudyFile asked, std::vector<solver::StudyRun> runs, std::string date);
+
+/// Format: README.md of this folder, "The study". Run times are wall times as measured.
+nlohmann::json to_document(const Study& study);
+
+/// One line a run, units in the names of the columns; texts in quotes (RFC 4180).
+std::string study_csv(const Study& study);
+
+/// One line a setting, then what it comes to, a sentence a line.
+std::string study_table(const Study& study);
+
+/// What it comes to: the fastest setting within the wanted error by both distances and by each of
+/// them, and the floor.
+std::vector<std::string> study_outcome(const Study& study);
+
+/// "1.5 m, 4 particles"
+std::string setting_name(const solver::StudySetting& setting);
+
+}  // namespace leda::server

@@ -1,0 +1,42 @@
+#pragma once
+// The request for a study: one case, and the resolutions to run it at. As a file for `leda study`
+// and as the inputs of the process resolution-study. Published schema:
+// schema/resolution-study-request.json; format: README.md of this folder.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "server/documents/case_file.hpp"
+#include "solver/study.hpp"
+
+namespace leda::server {
+
+inline constexpr std::size_t most_study_runs = 1000;
+
+struct StudyFile {
+  std::string name;
+  CaseFile of;  ///< as given; its own resolution is not run
+  solver::StudyQuestion question;
+  int workers = 1;      ///< runs at the same time; 0: one a core
+  std::string machine;  ///< where it runs, in the user's words; empty: not said
+};
+
+/// The text of the file that "case_file" names; nothing where it cannot be read.
+using CaseReader = std::function<std::optional<std::string>(const std::string& file)>;
+
+/// A study on the command line: "case_file" may stand in place of "case", and "workers" is known.
+/// Every fault at once, those of the case too.
+Parsed<StudyFile> parse_study_file(std::string_view text, const CaseReader& read_case);
+
+/// The body of resolution-study: {"inputs": {...}}; neither "case_file" nor "workers".
+Parsed<StudyFile> parse_study_request(std::string_view text);
+
+/// One run of the study: its case with this resolution, first and last frame only.
+CaseFile case_of(const StudyFile& study, const Resolution& resolution);
+
+/// "cell-0.75-particles-4-seed-1": a name for a section, and for a folder.
+std::string run_name(const Resolution& resolution);
+
+}  // namespace leda::server

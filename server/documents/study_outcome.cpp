@@ -1,0 +1,108 @@
+// A study in words: for the terminal, and as "outcome" of study.json.
+#include <fmt/format.h>
+
+#include "server/documents/study_document.hpp"
+
+namespace leda::server {
+namespace {
+
+using solver::Measure;
+using solver::SettingSummary;
+using solver::Spread;
+
+std::string percent(double fraction) { return fmt::format("{:.1f} %", 100 * fraction); }
+
+/// "106.5 +- 1.2"
+std::string short_form(const std::optional<Spread>& spread, double factor, int digits) {
+  if (!spread) return "-";
+  const std::string mean = fmt::format("{:.{}f}", factor * spread->mean, digits);
+  if (!spread->standard_deviation) return mean;
+  return fmt::format("{} \u00b1 {:.{}f}", mean, factor * *spread->standard_deviation, digits);
+}
+
+const char* subject(Measure measure) {
+  switch (measure) {
+    case Measure::both:
+      return "in retrogression and runout";
+    case Measure::retrogression:
+      return "in retrogression alone";
+    case Measure::runout:
+      return "in runout alone";
+  }
+  return "";
+}
+
+std::string best_of(const Study& study, Measure measure, std::optional<std::size_t> index) {
+  if (!index) return "none";
+  const SettingSummary& s = study.summary.settings[*index];
+  return fmt::format("{} (error {}, {:.1f} s)", setting_name(s.setting),
+                     percent(s.by(measure).error->mean), *s.cost_s);
+}
+
+std::string sentence(const Study& study, Measure measure) {
+  const auto& fastest = study.summary.fastest_by(measure);
+  std::string text =
+      fmt::format("fastest setting within {} {}: {}", percent(study.asked.question.wanted_error),
+                  subject(measure), best_of(study, measure, fastest.by_mean));
+  if (fastest.by_mean_and_spread == fastest.by_mean) {
+    return text + (fastest.by_mean ? ", with its spread over seeds too" : "");
+  }
+  return text +
+         "; with its spread over seeds: " + best_of(study, measure, fastest.by_mean_and_spread);
+}
+
+std::string floor_sentence(const Study& study) {
+  const auto part = [](const char* what, const std::optional<double>& floor) {
+    return fmt::format("{} {}", what, floor ? percent(*floor) : "unknown");
+  };
+  return fmt::format(
+      "spread over seeds (standard deviation): {}, {}; a smaller error is chance, and so is one "
+      "below the cell size, in which distances are read",
+      part("retrogression", study.summary.floor_retrogression),
+      part("runout", study.summary.floor_runout));
+}
+
+bool is_compared(const Study& study, Measure measure) {
+  const auto& reference = study.summary.reference;
+  if (!reference) return false;
+  const bool retrogression = reference->retrogression_m.has_value();
+  const bool runout = reference->runout_m.has_value();
+  if (measure == Measure::both) return retrogression && runout;
+  return measure == Measure::retrogression ? retrogression : runout;
+}
+
+}  // namespace
+
+std::string setting_name(const solver::StudySetting& setting) {
+  return fmt::format("{} m, {} particle{}", setting.cell_m, setting.particles_per_cell,
+                     setting.particles_per_cell == 1 ? "" : "s");
+}
+
+std::vector<std::string> study_outcome(const Study& study) {
+  if (!study.summary.reference) {
+    return {"nothing is compared: no setting has come to rest in all its runs"};
+  }
+  std::vector<std::string> sentences;
+  for (const Measure measure : solver::measures) {
+    if (is_compared(study, measure)) sentences.push_back(sentence(study, measure));
+  }
+  sentences.push_back(floor_sentence(study));
+  return sentences;
+}
+
+std::string study_table(const Study& study) {
+  std::string text =
+      fmt::format("{:<20}{:>5}  {:>16}{:>16}{:>17}{:>9}{:>17}  {}\n", "setting", "runs",
+                  "retrogression m", "runout m", "run time s", "cost s", "error %", "");
+  for (const SettingSummary& s : study.summary.settings) {
+    text += fmt::format("{:<20}{:>5}  {:>16}{:>16}{:>17}{:>9}{:>17}  {}\n", setting_name(s.setting),
+                        s.runs, short_form(s.retrogression_m, 1, 1), short_form(s.runout_m, 1, 1),
+                        short_form(s.run_time_s, 1, 1),
+                        s.cost_s ? fmt::format("{:.1f}", *s.cost_s) : "-",
+                        short_form(s.by(Measure::both).error, 100, 1), s.not_a_choice);
+  }
+  for (const std::string& one : study_outcome(study)) text += one + "\n";
+  return text;
+}
+
+}  // namespace leda::server

@@ -1,0 +1,116 @@
+// The study by its two ways, HTTP and the command line, on a bank that is simulated in moments.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/server/temporary_folder.hpp"
+#include "tests/service/leda_process.hpp"
+
+namespace leda::tests {
+namespace {
+
+using nlohmann::json;
+
+json bank() {
+  return json::parse(R"({
+    "name": "bank", "ground": [[0, 10], [25, 10], [31, 4], [45, 4]], "base_m": 2,
+    "layers": [{"material": "clay"}],
+    "materials": {"clay": {"unit_weight_kN_m3": 17, "shear_modulus_kPa": 1000,
+                           "poisson_ratio": 0.45, "peak_strength_kPa": 20,
+                           "softening": {"law": "exponential", "remolded_strength_kPa": 1,
+                                         "shape_factor": 8, "regularization": "none"}}},
+    "trigger": {"kind": "undrained", "then_toe_cut_m": 3},
+    "resolution": {"cell_m": 1, "particles_per_cell": 4}, "stop": {"max_time_s": 60}})");
+}
+
+json inputs() {
+  return {{"name", "bank study"},      {"case", bank()}, {"cell_m", {1, 1.2}},
+          {"particles_per_cell", {4}}, {"seeds", 1},     {"reference", "finest"}};
+}
+
+class StudyOfABank : public testing::Test {
+ protected:
+  std::string file(const char* name, const json& document) const {
+    const auto path = folder.path() / name;
+    std::ofstream(path) << document.dump();
+    return path.string();
+  }
+  std::string out() const { return (folder.path() / "out").string(); }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(StudyOfABank, ComesOverHttpAsAJobWhoseResultsAreTheStudy) {
+  LedaServer server(folder.path() / "data", {"--workers", "2"});
+  const json described = server.get("/processes/resolution-study");
+  EXPECT_EQ(described["inputs"]["cell_m"]["minOccurs"], 1);
+  EXPECT_TRUE(described["definitions"].contains("case"));
+
+  const std::string path = "/processes/resolution-study/execution";
+  json wrong = inputs();
+  wrong["cell_m"] = {1, -1};
+  wrong["workers"] = 4;
+  const auto refused =
+      server.client().Post(path, json{{"inputs", wrong}}.dump(), "application/json");
+  ASSERT_EQ(refused->status, 400);
+  EXPECT_NE(refused->body.find("/inputs/cell_m/1"), std::string::npos) << refused->body;
+  EXPECT_NE(refused->body.find("/inputs/workers"), std::string::npos) << refused->body;
+
+  const auto accepted =
+      server.client().Post(path, json{{"inputs", inputs()}}.dump(), "application/json");
+  ASSERT_EQ(accepted->status, 201) << accepted->body;
+  const std::string job = json::parse(accepted->body)["jobID"];
+  EXPECT_EQ(server.get("/jobs/" + job + "/sections")["sections"].size(), 4U);
+  ASSERT_EQ(server.wait_for_job(job)["status"], "successful");
+
+  const json study = server.get("/jobs/" + job + "/results");
+  ASSERT_EQ(study["runs"].size(), 4U);
+  EXPECT_EQ(study["runs"][0]["name"], "cell-1.2-particles-4-seed-0");
+  EXPECT_EQ(study["settings"].size(), 2U);
+  for (const json& run : study["runs"]) EXPECT_GT(run["run_time_s"], 0) << run;
+  const auto drawing = server.client().Get("/jobs/" + job + "/results?f=svg");
+  EXPECT_EQ(drawing->status, 200);
+  EXPECT_TRUE(drawing->body.starts_with("<svg")) << drawing->body;
+  EXPECT_EQ(server.client().Get("/jobs/" + job + "/results?f=csv")->status, 200);
+  EXPECT_EQ(server.client().Get("/jobs/" + job + "/results?f=gpkg")->status, 400);
+}
+
+TEST_F(StudyOfABank, ComesOnTheCommandLineAndGoesOnWhereItWas) {
+  json document = inputs();
+  document.erase("case");
+  document["case_file"] = "bank.json";
+  document["workers"] = 2;
+  file("bank.json", bank());
+  const std::string study = file("study.json", document);
+  const Output first = run_leda({"study", study, "--out", out()});
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  EXPECT_NE(first.text.find("1.2 m, 4 particles"), std::string::npos) << first.text;
+  for (const char* name : {"study.json", "study.csv", "study.svg"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
+  }
+  // A run that is gone is run again, those that stand are the same to the last digit of their time.
+  const auto runs = folder.path() / "out" / "runs";
+  std::filesystem::remove(runs / "cell-1-particles-4-seed-1" / "result.json");
+  const json before = json::parse(std::ifstream(folder.path() / "out" / "study.json"));
+  const Output second = run_leda({"study", study, "--out", out(), "--json"});
+  ASSERT_EQ(second.exit_code, 0) << second.errors;
+  const json after = json::parse(second.text);
+  ASSERT_EQ(after["runs"].size(), 4U);
+  EXPECT_EQ(after["runs"][2], before["runs"][2]);
+  EXPECT_EQ(after["runs"][3]["status"], before["runs"][3]["status"]);
+}
+
+TEST_F(StudyOfABank, FaultsAreListedWithTheirPointers) {
+  json document = inputs();
+  document["case"]["base_m"] = 100;
+  document["seeds"] = -1;
+  const Output output = run_leda({"study", file("study.json", document), "--out", out()});
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find("/case/base_m"), std::string::npos) << output.errors;
+  EXPECT_NE(output.errors.find("/seeds"), std::string::npos) << output.errors;
+  EXPECT_FALSE(std::filesystem::exists(out()));
+}
+
+}  // namespace
+}  // namespace leda::tests
