@@ -8,13 +8,13 @@ namespace leda::server {
 
 using db::SectionState;
 
-namespace {
-
 std::size_t count(const std::vector<db::SectionRecord>& sections, SectionState state) {
   return static_cast<std::size_t>(
       std::count_if(sections.begin(), sections.end(),
                     [state](const auto& section) { return section.state == state; }));
 }
+
+namespace {
 
 std::size_t count_done(const std::vector<db::SectionRecord>& sections) {
   return sections.size() - count(sections, SectionState::waiting) -

@@ -1,12 +1,16 @@
 #pragma once
 // A job in one line: how far it is, and what came of it.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "db/records.hpp"
 
 namespace leda::server {
+
+/// How many sections are in a state.
+std::size_t count(const std::vector<db::SectionRecord>& sections, db::SectionState state);
 
 /// 0 to 99: 100 is for a job that is finished.
 /// @param running_fraction sum over the running sections of the share that is done

@@ -1,0 +1,130 @@
+// What becomes of a run that ended, and of a job whose runs all did.
+
+#include <spdlog/spdlog.h>
+
+#include "server/dispatcher.hpp"
+#include "server/summary.hpp"
+#include "server/take_in.hpp"
+
+namespace leda::server {
+
+using db::JobState;
+using db::SectionState;
+
+namespace {
+
+constexpr std::chrono::milliseconds between_reports{500};
+
+}  // namespace
+
+/// Runs that ended while nobody watched are taken in; those that were cut off start anew.
+void Dispatcher::recover(OpenJob& job) {
+  for (auto& section : job.sections) {
+    if (section.state == SectionState::running && read_outcome(data_.run(section.run)).result) {
+      take_in(job, section);
+    }
+  }
+  const int restarted = store_.requeue_running(job.record.id);
+  if (restarted > 0) spdlog::info("job={} runs to start anew: {}", job.record.id, restarted);
+  for (auto& section : job.sections) {
+    if (section.state == SectionState::running) section.state = SectionState::waiting;
+  }
+}
+
+void Dispatcher::settle(const RunEnd& end) {
+  const auto run = runs_.find(end.run);
+  if (run == runs_.end()) return;  // of a job that was dismissed
+  OpenJob& job = jobs_.at(run->second.job);
+  db::SectionRecord& section = job.sections[run->second.section];
+  int& crashes = job.crashes[run->second.section];
+  const auto folder = data_.run(end.run);
+  const bool by_itself = end.how == RunEnd::How::exited;
+  const Outcome outcome = read_outcome(folder);
+
+  if (by_itself && (end.exit_code == 0 || end.exit_code == 3) && outcome.result) {
+    take_in(job, section);
+  } else {
+    std::string reason = end.reason.empty() ? outcome.fault : end.reason;
+    if (const auto words = last_words(folder); !words.empty()) reason += ": " + words;
+    const bool hopeless = end.how == RunEnd::How::over_limit || (by_itself && end.exit_code == 2);
+    const bool again = !hopeless && ++crashes < most_tries;
+    spdlog::warn("job={} section={} run={} gave no result ({}): {}", job.record.id, section.name,
+                 end.run, again ? "it is tried again" : "given up", reason);
+    set_state(section, again ? SectionState::waiting : SectionState::failed, reason);
+  }
+  --job.running;
+  runs_.erase(run);
+}
+
+/// First the file is in place, then the row.
+void Dispatcher::take_in(OpenJob& job, db::SectionRecord& section) {
+  const Outcome outcome = read_outcome(data_.run(section.run));
+  const SectionResult& result = outcome.result.value();
+  const PlacedResult placed = job.work->place(section, result);
+  store_.take_in(section.id, section.run, result, placed, outcome.document);
+  const bool usable = result.status != RunStatus::unstable;
+  section.state = usable ? SectionState::finished : SectionState::failed;
+  section.reason = result.reason;
+  section.result = result;
+  section.placed = placed;
+  spdlog::info("job={} section={} run={} {}: retrogression {:.1f} m, runout {:.1f} m, {:.1f} s",
+               job.record.id, section.name, section.run, to_string(result.status),
+               result.crest_to_crest_retrogression_m, result.runout_m, result.run_time_s);
+}
+
+void Dispatcher::report_progress() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - progress_told_ < between_reports) return;
+  progress_told_ = now;
+  std::map<std::string, double> fractions;
+  for (const auto& [run, of] : runs_) fractions[of.job] += read_fraction(data_.run(run));
+  for (auto& [id, job] : jobs_) {
+    if (job.record.state != JobState::running) continue;
+    const int percent = progress_percent(job.sections, fractions[id]);
+    const std::string message = progress_message(job.sections);
+    if (percent == job.record.progress && message == job.record.message) continue;
+    store_.set_job_progress(id, percent, message);
+    job.record.progress = percent;
+    job.record.message = message;
+  }
+}
+
+void Dispatcher::finish_done_jobs() {
+  for (auto at = jobs_.begin(); at != jobs_.end();) {
+    const auto& sections = at->second.sections;
+    const bool done = at->second.running == 0 && count(sections, SectionState::waiting) == 0;
+    if (done) finish(at->second);
+    at = done ? jobs_.erase(at) : std::next(at);
+  }
+}
+
+void Dispatcher::finish(OpenJob& job) {
+  const std::string& id = job.record.id;
+  JobState state = JobState::successful;
+  std::string message = final_message(job.sections);
+  if (count(job.sections, SectionState::failed) > 0 &&
+      count(job.sections, SectionState::finished) + count(job.sections, SectionState::stable) ==
+          0) {
+    state = JobState::failed;
+  }
+  try {
+    store_.set_zones(id, job.work->zones(job.sections));
+  } catch (const db::StoreError&) {
+    throw;
+  } catch (const std::exception& error) {
+    state = JobState::failed;
+    message = std::string("the zones could not be made: ") + error.what();
+  }
+  if (state == JobState::successful) store_.set_job_progress(id, 100, message);
+  store_.set_job_state(id, state, message);
+  spdlog::info("job={} {}: {}", id, db::to_string(state), message);
+}
+
+void Dispatcher::set_state(db::SectionRecord& section, SectionState state,
+                           const std::string& reason) {
+  store_.set_section_state(section.id, state, reason);
+  section.state = state;
+  section.reason = reason;
+}
+
+}  // namespace leda::server
