@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "server/commands/commands.hpp"
@@ -134,17 +132,6 @@ std::string drawing(const ElementCase& clay, const DssOptions& options,
       fmt::format("Direct simple shear of {}, cell {:g} m", clay.name, curve.height_m), curves);
 }
 
-bool write(const std::string& path, const std::string& text) {
-  if (path.empty() || path == "-") {
-    std::cout << text << std::flush;
-    return static_cast<bool>(std::cout);
-  }
-  std::ofstream out(path, std::ios::binary);
-  out << text << std::flush;
-  if (!out) fmt::print(stderr, "{}: cannot be written\n", path);
-  return static_cast<bool>(out);
-}
-
 int run(const DssOptions& options, const CLI::App& command) {
   const auto clay = read_element_case(options.element);
   if (!clay) return 2;
@@ -158,10 +145,10 @@ int run(const DssOptions& options, const CLI::App& command) {
                "one strain\n",
                clay->material.shear_modulus_Pa / 1000);
   }
-  if (!options.svg.empty() && !write(options.svg, drawing(*clay, options, curve))) return 2;
+  if (!options.svg.empty() && !write_text(options.svg, drawing(*clay, options, curve))) return 2;
   const std::string text =
       options.as_json ? as_json(*clay, options.method, curve).dump(2) + "\n" : as_csv(curve);
-  return write(options.out, text) ? 0 : 2;
+  return write_text(options.out, text) ? 0 : 2;
 }
 
 }  // namespace

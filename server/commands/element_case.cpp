@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 
 #include "server/documents/case_file.hpp"
@@ -97,6 +98,17 @@ std::optional<ElementCase> read_element_case(const ElementOptions& options) {
 
 void print_faults(const std::string& command, const std::vector<std::string>& faults) {
   for (const auto& fault : faults) fmt::print(stderr, "leda {}: {}\n", command, fault);
+}
+
+bool write_text(const std::string& path, const std::string& text) {
+  if (path.empty() || path == "-") {
+    std::cout << text << std::flush;
+    return static_cast<bool>(std::cout);
+  }
+  std::ofstream out(path, std::ios::binary);
+  out << text << std::flush;
+  if (!out) fmt::print(stderr, "{}: cannot be written\n", path);
+  return static_cast<bool>(out);
 }
 
 }  // namespace leda::server
