@@ -25,15 +25,15 @@ height=$(awk -v w="$(echo "$to $from" | awk '{print $1 - $2}')" -v h="$(echo "$h
 gnuplot <<G
 set terminal png size 1200,$((2 * height)) font ",9"
 set output "$picture"
-set multiplot layout 2,1 margins 0.04,0.93,0.09,0.97 spacing 0,0.09
+set multiplot layout 2,1 margins 0.04,0.9,0.1,0.97 spacing 0,0.09
 set xrange [$from:$to]; set yrange [$low:$high + 0.2 * ($high - $low)]
 set size ratio -1; unset key; set tics out nomirror
 set palette defined (0 "#e8e8e8", 0.15 "#9ecae1", 0.5 "#2171b5", 1 "#f16913", 1.6 "#cb181d", 2.5 "#3f0007")
-set cbrange [-1:2]; set cblabel "log10 plastic strain" offset -1
+set cbrange [-1:2]; set label 1 "log10 of the plastic strain" at graph 0.01, graph 0.92
 plot "$scratch/points" using 1:2:(log10(\$3 > 0.1 ? \$3 : 0.1)) with points pt 5 ps 0.25 palette, \
   "$scratch/ground" with lines lc rgb "black" lw 1
-unset colorbox; set cbrange [0:2]; set xlabel "m" offset 0,0.8
-set palette maxcolors 3 defined (0 "#d9a441", 1 "#7fb4c9", 2 "#5b5f97")
-plot "$scratch/points" using 1:2:4 with points pt 5 ps 0.25 palette, \
+unset colorbox; unset label 1; set xlabel "m" offset 0,0.8
+colour(m) = m == 0 ? 0xd9a441 : m == 1 ? 0x7fb4c9 : 0x5b5f97
+plot "$scratch/points" using 1:2:(colour(\$4)) with points pt 5 ps 0.25 lc rgb variable, \
   "$scratch/ground" with lines lc rgb "black" lw 1
 G
