@@ -179,6 +179,19 @@ std::optional<double> pooled(const std::vector<SettingSummary>& settings,
   return std::sqrt(squares / freedom) / *reference;
 }
 
+/// Of the means of the settings whose runs all ended, relative to the reference.
+std::optional<double> scatter(const std::vector<SettingSummary>& settings,
+                              std::optional<Spread> SettingSummary::*distance,
+                              const std::optional<double>& reference) {
+  std::vector<double> means;
+  for (const SettingSummary& s : settings) {
+    if (s.is_reference || s.not_a_choice.empty()) means.push_back((s.*distance)->mean);
+  }
+  const auto spread = spread_of(means);
+  if (!reference || !spread || !spread->standard_deviation) return std::nullopt;
+  return *spread->standard_deviation / *reference;
+}
+
 }  // namespace
 
 const char* to_string(Measure measure) {
@@ -249,6 +262,10 @@ StudySummary summarize(const StudyQuestion& question, const std::vector<StudyRun
                                          summary.reference->retrogression_m);
     summary.floor_runout =
         pooled(summary.settings, &SettingSummary::runout_m, summary.reference->runout_m);
+    summary.scatter_retrogression = scatter(summary.settings, &SettingSummary::retrogression_m,
+                                            summary.reference->retrogression_m);
+    summary.scatter_runout =
+        scatter(summary.settings, &SettingSummary::runout_m, summary.reference->runout_m);
   }
   return summary;
 }

@@ -101,6 +101,9 @@ struct StudySummary {
   /// Standard deviation over seeds relative to the reference, pooled over the settings whose runs
   /// all ended: an error below it is chance. So is one below cell_m, in which distances are read.
   std::optional<double> floor_retrogression, floor_runout;
+  /// Standard deviation of the means of those settings relative to the reference; absent for a
+  /// single one. Settings that agree better than this with the reference may do so by luck.
+  std::optional<double> scatter_retrogression, scatter_runout;
 
   const Fastest& fastest_by(Measure measure) const { return fastest[std::size_t(measure)]; }
 };

@@ -134,6 +134,9 @@ json to_document(const Study& study) {
            {"seed_spread",
             {{"retrogression", or_null(study.summary.floor_retrogression)},
              {"runout", or_null(study.summary.floor_runout)}}},
+           {"setting_scatter",
+            {{"retrogression", or_null(study.summary.scatter_retrogression)},
+             {"runout", or_null(study.summary.scatter_runout)}}},
            {"settings", json::array()},
            {"runs", json::array()},
            {"outcome", study_outcome(study)}};

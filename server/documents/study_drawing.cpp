@@ -153,7 +153,8 @@ std::string level(const Panel& panel, double percent, const std::string& name, c
   const double y = panel.y(percent);
   return line(panel.x0, y, panel.x0 + panel_width, y,
               fmt::format("stroke=\"#b00020\" stroke-dasharray=\"{}\"", dash)) +
-         text_at(panel.x0 + 6, y - 4, "start", name, " fill=\"#b00020\" font-size=\"11\"");
+         text_at(panel.x0 + panel_width - 6, y - 4, "end", name,
+                 " fill=\"#b00020\" font-size=\"11\"");
 }
 
 /// Whiskers and mark of one setting; nothing where it has no usable run.
@@ -233,9 +234,10 @@ Panel panel_of(const Study& study, Measure measure, double x0) {
 std::string draw(const Panel& panel, const Study& study, const Look& look) {
   std::string out = axes(panel);
   out += level(panel, 100 * study.asked.question.wanted_error, "wanted error", "7 4");
-  const auto& floor = panel.measure == Measure::retrogression ? study.summary.floor_retrogression
-                                                              : study.summary.floor_runout;
-  if (floor) out += level(panel, 100 * *floor, "standard deviation over seeds", "2 4");
+  const auto& scatter = panel.measure == Measure::retrogression
+                            ? study.summary.scatter_retrogression
+                            : study.summary.scatter_runout;
+  if (scatter) out += level(panel, 100 * *scatter, "scatter between settings", "2 4");
   for (const SettingSummary& s : study.summary.settings) {
     out += setting_mark(panel, s, look.colour(s.setting.cell_m));
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "server/documents/json_syntax.hpp"
@@ -21,6 +22,7 @@ using solver::StudySetting;
 constexpr std::array particle_counts{1, 4, 9, 16, 25};
 constexpr std::size_t most_values = 20;
 constexpr int most_seeds = 50;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// A setting, and where the document asks for its cell size.
 struct Asked {
@@ -34,7 +36,7 @@ void check_particles(const std::string& at, double count, FaultList& faults) {
   faults.add(at, "is " + show(count) + ", must be one of 1, 4, 9, 16, 25");
 }
 
-/// A list of different numbers.
+/// A list of different numbers; those at fault are NaN.
 std::vector<double> read_numbers(ObjectReader& reader, const char* key, FaultList& faults) {
   const json* value = reader.require(key);
   if (!value) return {};
@@ -52,6 +54,8 @@ std::vector<double> read_numbers(ObjectReader& reader, const char* key, FaultLis
     const double number = read_number((*value)[i], here, faults);
     if (std::ranges::find(numbers, number) != numbers.end()) {
       faults.add(here, "is " + show(number) + " again: every value once");
+      numbers.push_back(not_a_number);  // keeps the places of those after it
+      continue;
     }
     numbers.push_back(number);
   }

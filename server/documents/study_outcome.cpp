@@ -51,10 +51,19 @@ std::string sentence(const Study& study, Measure measure) {
          "; with its spread over seeds: " + best_of(study, measure, fastest.by_mean_and_spread);
 }
 
+std::string part(const char* what, const std::optional<double>& floor) {
+  return fmt::format("{} {}", what, floor ? percent(*floor) : "unknown");
+}
+
+std::string scatter_sentence(const Study& study) {
+  return fmt::format(
+      "scatter between settings (standard deviation of their means): {}, {}; a setting that is "
+      "nearer to the reference may be so by luck",
+      part("retrogression", study.summary.scatter_retrogression),
+      part("runout", study.summary.scatter_runout));
+}
+
 std::string floor_sentence(const Study& study) {
-  const auto part = [](const char* what, const std::optional<double>& floor) {
-    return fmt::format("{} {}", what, floor ? percent(*floor) : "unknown");
-  };
   return fmt::format(
       "spread over seeds (standard deviation): {}, {}; a smaller error is chance, and so is one "
       "below the cell size, in which distances are read",
@@ -87,6 +96,7 @@ std::vector<std::string> study_outcome(const Study& study) {
     if (is_compared(study, measure)) sentences.push_back(sentence(study, measure));
   }
   sentences.push_back(floor_sentence(study));
+  sentences.push_back(scatter_sentence(study));
   return sentences;
 }
 

@@ -91,6 +91,14 @@ TEST(Summary, FloorPoolsTheSeedsOfAllSettings) {
   EXPECT_NEAR(*summary.floor_retrogression, std::sqrt(117.0 / 3) / 100, 1e-12);
 }
 
+TEST(Summary, ScatterIsThatOfTheMeansOfSettingsThatCameToRest) {
+  // Means 102, 108 and 120 m.
+  EXPECT_NEAR(*summarize(question(), runs()).scatter_retrogression, std::sqrt(84.0) / 100, 1e-12);
+  auto some = runs();
+  some[0].result->status = RunStatus::time_limit;
+  EXPECT_NEAR(*summarize(question(), some).scatter_retrogression, std::sqrt(18.0) / 100, 1e-12);
+}
+
 TEST(Summary, ASettingThatDidNotComeToRestIsShownAndNeverNamed) {
   auto some = runs();
   some[4].result->status = RunStatus::time_limit;

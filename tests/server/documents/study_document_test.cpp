@@ -38,10 +38,10 @@ TEST(StudyDocument, HoldsRunsSettingsAndTheFastest) {
 
 TEST(StudyDocument, SaysWhatItComesTo) {
   const auto outcome = study_outcome(test::some_study());
-  ASSERT_EQ(outcome.size(), 4U);
+  ASSERT_EQ(outcome.size(), 5U);
   EXPECT_EQ(outcome[0],
             "fastest setting within 10.0 % in retrogression and runout: 0.5 m, 4 particles (error "
-            "2.5 %, 16.5 s), with its spread over seeds too");
+            "2.0 %, 16.5 s), with its spread over seeds too");
   // At 1 m the runout is 5 % off with a standard deviation of 7 %.
   EXPECT_EQ(outcome[2],
             "fastest setting within 10.0 % in runout alone: 1 m, 4 particles (error 5.0 %, 2.1 s); "
