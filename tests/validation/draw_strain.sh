@@ -27,6 +27,7 @@ set terminal png size 1200,$((2 * height)) font ",9"
 set output "$picture"
 set multiplot layout 2,1 margins 0.04,0.9,0.1,0.97 spacing 0,0.09
 set xrange [$from:$to]; set yrange [$low:$high + 0.2 * ($high - $low)]
+if ($to - $from > 25 * ($high - $low)) { set ytics 20; set cbtics 1 }
 set size ratio -1; unset key; set tics out nomirror
 set palette defined (0 "#e8e8e8", 0.15 "#9ecae1", 0.5 "#2171b5", 1 "#f16913", 1.6 "#cb181d", 2.5 "#3f0007")
 set cbrange [-1:2]; set label 1 "log10 of the plastic strain" at graph 0.01, graph 0.92
