@@ -106,6 +106,14 @@ std::optional<SectionRecord> Store::section(std::int64_t section) const {
   });
 }
 
+void Store::set_screening(std::int64_t section, const std::string& screening) {
+  connection_->write([&] {
+    Query(*connection_, "UPDATE sections SET screening = ?2 WHERE id = ?1")
+        .with(section, screening)
+        .run();
+  });
+}
+
 bool Store::set_section_state(std::int64_t section, SectionState state, const std::string& reason) {
   return connection_->write([&] {
     const SectionState now = state_of_section(*connection_, section);

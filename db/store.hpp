@@ -80,6 +80,8 @@ class Store {
   /// stays so until it is set to waiting: false where that kept it.
   bool set_section_state(std::int64_t section, SectionState state, const std::string& reason);
   std::vector<RunRecord> runs(std::int64_t section) const;  ///< every try, first to last
+  /// Remembers what screening said of a section, JSON.
+  void set_screening(std::int64_t section, const std::string& screening);
   /// Puts back to waiting what was running (the server was killed) and returns how many.
   int requeue_running(const std::string& job);
   /// One result a section: false, and nothing changed, where this run is in already, the section

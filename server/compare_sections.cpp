@@ -22,7 +22,10 @@ std::vector<ComparedSection> as_compared(const std::vector<db::SectionRecord>& s
   std::vector<ComparedSection> compared;
   for (const auto& section : sections) {
     compared.push_back({section.name, db::to_string(section.state), section.ground, section.crest,
-                        section.toe, section.result});
+                        section.toe, section.result,
+                        section.screening.empty()
+                            ? nlohmann::json()
+                            : nlohmann::json::parse(section.screening, nullptr, false)});
   }
   return compared;
 }

@@ -58,6 +58,7 @@ class Dispatcher {
 
   void work();
   void turn();
+  bool screened_out(OpenJob& job, db::SectionRecord& section);
   void take_up(const std::string& id);
   void recover(OpenJob& job);
   void settle(const RunEnd& end);

@@ -11,8 +11,10 @@
 #include "profiles/trace_profile.hpp"
 #include "profiles/zonation.hpp"
 #include "server/documents/case_file.hpp"
+#include "server/documents/screening_document.hpp"
 #include "server/problem.hpp"
 #include "server/request_pointers.hpp"
+#include "solver/screening/decide.hpp"
 
 namespace leda::server {
 namespace {
@@ -126,6 +128,16 @@ class Region final : public Work {
   std::string case_file(const SectionRecord& section) const override {
     const auto built = profiles::build_section(profile_of(section), request_.soil);
     return to_document(CaseFile{built.section, request_.settings}).dump(2) + "\n";
+  }
+
+  std::optional<Screened> screen(const SectionRecord& section) const override {
+    const auto built = profiles::build_section(profile_of(section), request_.soil);
+    const auto result = solver::screen_quickly(built.section, request_.settings);
+    Screened screened;
+    screened.document = to_document(result).dump();
+    screened.skip = request_.skip_stable && result.decision == solver::Decision::stable;
+    if (!result.reasons.empty()) screened.reason = result.reasons.front();
+    return screened;
   }
 
   PlacedResult place(const SectionRecord& section, const SectionResult& result) const override {

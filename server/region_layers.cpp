@@ -1,5 +1,7 @@
 #include "server/region_layers.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "server/problem.hpp"
 #include "server/summary.hpp"
 
@@ -17,6 +19,12 @@ void add_result(profiles::SectionFeature& feature, const SectionResult& result) 
   for (const auto& warning : result.warnings) feature.warnings.push_back(warning);
 }
 
+// What screening decided: "simulate" or "stable"; empty where it was not asked.
+std::string decision_of(const db::SectionRecord& section) {
+  const auto screening = nlohmann::json::parse(section.screening, nullptr, false);
+  return screening.is_object() ? screening.value("decision", "") : "";
+}
+
 }  // namespace
 
 profiles::SectionFeature section_feature(const db::SectionRecord& section) {
@@ -27,6 +35,7 @@ profiles::SectionFeature section_feature(const db::SectionRecord& section) {
   feature.trace = section.trace;
   feature.status = status_of(section);
   feature.reason = section.reason;
+  feature.decision = decision_of(section);
   feature.ground_before = section.ground;
   feature.warnings = section.warnings;
   if (section.result) add_result(feature, *section.result);

@@ -38,6 +38,7 @@ json document_of(const ComparedSection& s) {
            {"toe_m", {s.toe.x, s.toe.z}},
            {"bank_height_m", s.crest.z - s.toe.z},
            {"profile_before_m", line_of(s.ground)},
+           {"screening", s.screening},
            {"result", nullptr}};
   if (!s.result) return out;
   out["result"] = to_document(*s.result);
@@ -51,7 +52,7 @@ json difference(const ComparedSection& from, const ComparedSection& to) {
            {"to", to.name},
            {"bank_height_m", (to.crest.z - to.toe.z) - (from.crest.z - from.toe.z)}};
   const bool both = is_usable(from) && is_usable(to);
-  const json empty = numbers_of({{}, {}, {}, {}, {}, SectionResult{}});
+  const json empty = numbers_of({{}, {}, {}, {}, {}, SectionResult{}, {}});
   const json a = both ? numbers_of(from) : empty;
   const json b = both ? numbers_of(to) : empty;
   for (const auto& [key, value] : a.items()) {

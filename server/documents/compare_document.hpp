@@ -16,6 +16,7 @@ struct ComparedSection {
   Polyline ground;    ///< before, m
   Point crest, toe;
   std::optional<SectionResult> result;
+  nlohmann::json screening;  ///< as stored; null: not screened
 };
 
 /// {"sections": [...], "differences": [{"from", "to", ...}]}: each section against the first,

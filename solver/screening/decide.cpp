@@ -175,6 +175,13 @@ ScreeningResult screen_completely(const Section& section, const RunSettings& set
   return result;
 }
 
+Analytics analytics_of(const Section& section) {
+  if (const auto site = site_of(section)) return analyse(*site);
+  Analytics analytics;
+  analytics.missing["analytics"] = "the section has no bank";
+  return analytics;
+}
+
 }  // namespace
 
 const char* to_string(Decision decision) {
@@ -184,11 +191,7 @@ const char* to_string(Decision decision) {
 ScreeningResult screen(const Section& section, const RunSettings& settings,
                        const ScreeningMargins& margins) {
   ScreeningResult result = screen_completely(section, settings, margins);
-  if (const auto site = site_of(section)) {
-    result.analytics = analyse(*site);
-  } else {
-    result.analytics.missing["analytics"] = "the section has no bank";
-  }
+  result.analytics = analytics_of(section);
   return result;
 }
 
@@ -196,6 +199,7 @@ ScreeningResult screen_quickly(const Section& section, const RunSettings& settin
                                const ScreeningMargins& margins) {
   ScreeningResult result = Decider(section, settings, margins).decide(false);
   put_deciding_reason_first(result);
+  result.analytics = analytics_of(section);
   return result;
 }
 

@@ -49,8 +49,8 @@ struct ScreeningResult {
 ScreeningResult screen(const Section& section, const RunSettings& settings,
                        const ScreeningMargins& margins = {});
 
-/// The decision alone, as fast as it can be had: no drained factors, no analytics, of the
-/// undrained factors Bishop's only, and none that the decision does not need.
+/// The decision and the analytics, as fast as they can be had: no drained factors, of the undrained
+/// ones Bishop's only, and none that the decision does not need.
 ScreeningResult screen_quickly(const Section& section, const RunSettings& settings,
                                const ScreeningMargins& margins = {});
 

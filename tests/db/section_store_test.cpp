@@ -152,6 +152,11 @@ TEST_F(SectionStore, StatesCloseTheTryUnderWay) {
   EXPECT_EQ(last_outcome(), "dismissed");
 }
 
+TEST_F(SectionStore, ScreeningIsKeptWithTheSection) {
+  store.set_screening(first().id, R"({"decision":"stable"})");
+  EXPECT_EQ(first().screening, R"({"decision":"stable"})");
+}
+
 TEST_F(SectionStore, ADismissedSectionStaysSoUntilItWaitsAgain) {
   store.set_section_state(first().id, SectionState::dismissed, "by the user");
   EXPECT_FALSE(store.start_run(first().id, "run-1"));

@@ -22,6 +22,17 @@ class CommandLine : public testing::Test {
     std::ofstream(file) << request.dump();
     return file.string();
   }
+  /// Over HTTP, since the grid itself carries no CRS.
+  void register_bank() const {
+    write_bank(folder.path() / "bank.asc");
+    std::ifstream file(folder.path() / "bank.asc", std::ios::binary);
+    std::stringstream dem;
+    dem << file.rdbuf();
+    LedaServer server(data());
+    const std::string path = std::string("/rasters") + bank_query;
+    ASSERT_EQ(server.client().Post(path, dem.str(), "image/tiff")->status, 201);
+    EXPECT_LT(server.end(), 5);
+  }
   std::string data() const { return (folder.path() / "data").string(); }
 
   TemporaryFolder folder;
@@ -65,18 +76,7 @@ TEST_F(CommandLine, ADemWithoutACrsIsRefused) {
 }
 
 TEST_F(CommandLine, AMapIsMadeComparedAndExported) {
-  {
-    // Registered over HTTP, since the grid itself carries no CRS.
-    write_bank(folder.path() / "bank.asc");
-    std::ifstream file(folder.path() / "bank.asc", std::ios::binary);
-    std::stringstream dem;
-    dem << file.rdbuf();
-    LedaServer server(data());
-    ASSERT_EQ(
-        server.client().Post(std::string("/rasters") + bank_query, dem.str(), "image/tiff")->status,
-        201);
-    EXPECT_LT(server.end(), 5);
-  }
+  register_bank();
   json request = bank_region();
   request["inputs"]["sections"].erase(2);
   const Output map = run_leda({"map", region_file(request), "--data", data(), "--workers", "2"});
@@ -103,6 +103,30 @@ TEST_F(CommandLine, AMapIsMadeComparedAndExported) {
 
   EXPECT_EQ(run_leda({"compare", job, "AA'", "ZZ", "--data", data()}).exit_code, 2);
   EXPECT_EQ(run_leda({"export", "none", "--data", data(), "--out", "x.gpkg"}).exit_code, 2);
+}
+
+// Clay far stronger than its bank: screened, stored, shown, and not simulated; where screening is
+// asked to skip nothing, the same sections are simulated, and none of them moves.
+TEST_F(CommandLine, ClearlyStableSectionsAreNotSimulated) {
+  register_bank();
+  json request = bank_region();
+  request["inputs"]["sections"].erase(2);
+  request["inputs"]["soil"]["materials"]["clay"]["peak_strength_kPa"] = 300;
+  for (const bool skip : {true, false}) {
+    request["inputs"]["screening"]["skip_stable"] = skip;
+    const Output map = run_leda({"map", region_file(request), "--data", data(), "--workers", "2"});
+    ASSERT_EQ(map.exit_code, 0) << map.errors;
+    EXPECT_EQ(map.text.find("not simulated: ") != std::string::npos, skip) << map.text;
+    EXPECT_NE(map.text.find("AA'          stable"), std::string::npos) << map.text;
+    std::istringstream words(map.text);
+    std::string word, job;
+    while (words >> word) job = word;
+    const Output compared = run_leda({"compare", job, "AA'", "BB'", "--data", data(), "--json"});
+    const json section = json::parse(compared.text)["sections"][0];
+    EXPECT_EQ(section["screening"]["decision"], "stable");
+    EXPECT_EQ(section["result"].is_null(), skip);
+    EXPECT_GT(section["screening"]["factor_of_safety"]["undrained"]["bishop"], 2);
+  }
 }
 
 }  // namespace

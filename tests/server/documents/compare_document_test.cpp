@@ -18,8 +18,8 @@ std::vector<ComparedSection> two_sections() {
   b.runout_m = 60.4;
   b.slides = 4;
   const Polyline ground{{0, 21.7}, {183, 21.7}, {220, 5}, {224, 5}, {249, 17}, {306, 17}};
-  return {{"AA'", "finished", ground, a.crest, a.toe, a},
-          {"B <&> \"B\"", "finished", ground, a.crest, a.toe, b}};
+  return {{"AA'", "finished", ground, a.crest, a.toe, a, nullptr},
+          {"B <&> \"B\"", "finished", ground, a.crest, a.toe, b, nullptr}};
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
