@@ -1,0 +1,16 @@
+#include "tests/verification/vertical_cut.hpp"
+
+#include <gtest/gtest.h>
+
+namespace leda::solver::test {
+namespace {
+
+// validation case vertical_cut_critical_height: gamma H / s_u = 3.776 (Lyamin and Sloan 2002,
+// Pastor et al. 2009), 3.83 by circles (Taylor 1937); band for a particle method 3.6 to 4.1. With
+// 10, 20 and 40 cells over the height the cut fails from 4.43, 4.17 and 4.02: the upper end of the
+// band takes 40 cells and minutes (vertical_cut_band_test), here 20 must fail by 4.4.
+TEST(VerticalCut, StandsBelowTheBandOfItsStabilityNumber) { EXPECT_FALSE(cut_fails(3.6, 1)); }
+TEST(VerticalCut, FailsWithCoarseCellsNotFarAboveIt) { EXPECT_TRUE(cut_fails(4.4, 1)); }
+
+}  // namespace
+}  // namespace leda::solver::test
