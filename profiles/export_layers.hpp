@@ -27,6 +27,8 @@ struct SectionFeature {
   std::string status;    ///< the run's status, else the section's state ("left-out", "stable", ...)
   std::string decision;  ///< of screening; may be empty
   std::string reason;
+  std::optional<double> factor_of_safety;  ///< of screening: undrained, Bishop
+  std::optional<double> stability_number;  ///< of screening
   std::optional<double> retrogression_m, runout_m, runout_from_crest_m;
   std::optional<int> slides;
   std::optional<double> simulated_s, run_time_s;

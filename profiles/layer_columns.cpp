@@ -51,6 +51,8 @@ std::vector<Column<SectionFeature>> section_columns(const RegionLayers& layers) 
   add("leda_status", "leda_stat", OFTString, [](const S& s) { return s.status; });
   add("leda_decision", "leda_decis", OFTString, [](const S& s) { return s.decision; });
   add("leda_reason", "leda_reas", OFTString, [](const S& s) { return s.reason; });
+  add("leda_factor_of_safety", "leda_fos", OFTReal, [](const S& s) { return s.factor_of_safety; });
+  add("leda_stability_number", "leda_ns", OFTReal, [](const S& s) { return s.stability_number; });
   add("leda_retrogression_m", "leda_ret_m", OFTReal, [](const S& s) { return s.retrogression_m; });
   add("leda_runout_m", "leda_run_m", OFTReal, [](const S& s) { return s.runout_m; });
   add("leda_runout_from_crest_m", "leda_rfc_m", OFTReal,

@@ -19,10 +19,18 @@ void add_result(profiles::SectionFeature& feature, const SectionResult& result) 
   for (const auto& warning : result.warnings) feature.warnings.push_back(warning);
 }
 
-// What screening decided: "simulate" or "stable"; empty where it was not asked.
-std::string decision_of(const db::SectionRecord& section) {
-  const auto screening = nlohmann::json::parse(section.screening, nullptr, false);
-  return screening.is_object() ? screening.value("decision", "") : "";
+std::optional<double> number_at(const nlohmann::json& document, const char* pointer) {
+  const nlohmann::json::json_pointer at(pointer);
+  if (!document.contains(at) || !document.at(at).is_number()) return {};
+  return document.at(at).get<double>();
+}
+
+void add_screening(profiles::SectionFeature& feature, const std::string& screening) {
+  const auto document = nlohmann::json::parse(screening, nullptr, false);
+  if (!document.is_object()) return;
+  feature.decision = document.value("decision", "");
+  feature.factor_of_safety = number_at(document, "/factor_of_safety/undrained/bishop");
+  feature.stability_number = number_at(document, "/stability_number");
 }
 
 }  // namespace
@@ -35,7 +43,7 @@ profiles::SectionFeature section_feature(const db::SectionRecord& section) {
   feature.trace = section.trace;
   feature.status = status_of(section);
   feature.reason = section.reason;
-  feature.decision = decision_of(section);
+  add_screening(feature, section.screening);
   feature.ground_before = section.ground;
   feature.warnings = section.warnings;
   if (section.result) add_result(feature, *section.result);
