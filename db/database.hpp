@@ -83,6 +83,15 @@ class Query {
     return *this;
   }
 
+  /// The same for statements that need not have a place for the last of the values.
+  template <class... Values>
+  Query& with_some(const Values&... values) {
+    int index = 0;
+    const int places = statement_.getBindParameterCount();
+    (void)((++index <= places && (bind(index, values), true)) && ...);
+    return *this;
+  }
+
   bool next();  ///< to the next row; false after the last
   int run();    ///< for a statement without rows; the number of rows changed
 

@@ -94,6 +94,21 @@ struct ZoneRecord {
   std::int64_t id = 0;
   std::string job;
   Zone zone;
+  std::string version;  ///< of Leda, that its sections were computed with; several: with commas
+};
+
+/// A section or a zone on the map: {west, south, east, north}, degrees.
+struct FeatureBox {
+  std::int64_t id = 0;
+  MapBox box{};
+};
+
+/// What a run took, at the median of many.
+struct TypicalRun {
+  int runs = 0;  ///< it is taken from
+  double simulated_s = 0;
+  double ns_per_particle_step = 0;
+  double steps_per_simulated_s = 0;
 };
 
 }  // namespace leda::db

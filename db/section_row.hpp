@@ -11,6 +11,8 @@ namespace leda::db {
 /// SELECT ... FROM sections with the results and placements of the latest run; a WHERE follows.
 /// section_from() reads its columns in this order.
 const std::string& select_sections();
+/// The same with empty texts for the ground before and after, which are most of a row.
+const std::string& select_sections_without_ground();
 
 SectionRecord section_from(Query& row);
 

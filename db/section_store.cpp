@@ -9,16 +9,35 @@
 
 namespace leda::db {
 
+namespace {
+
+std::string select_with(const std::string& ground, const std::string& results) {
+  return "SELECT sections.id, sections.job_id, sections.ordinal, sections.name, sections.line, "
+         "sections.position_m, sections.trace, " +
+         ground +
+         ", sections.crest_x_m, sections.crest_z_m, sections.toe_x_m, sections.toe_z_m, "
+         "sections.state, sections.reason, sections.screening, sections.warnings, "
+         "sections.latest_run_id, "
+         "(SELECT count(*) FROM runs WHERE runs.section_id = sections.id), " +
+         results +
+         " FROM sections LEFT JOIN results ON results.run_id = sections.latest_run_id "
+         "LEFT JOIN placements ON placements.run_id = results.run_id ";
+}
+
+std::string without(std::string columns, const std::string& column) {
+  return columns.replace(columns.find(column), column.size(), "'[]'");
+}
+
+}  // namespace
+
 const std::string& select_sections() {
+  static const std::string select = select_with("sections.ground", result_columns());
+  return select;
+}
+
+const std::string& select_sections_without_ground() {
   static const std::string select =
-      "SELECT sections.id, sections.job_id, sections.ordinal, sections.name, sections.line, "
-      "sections.position_m, sections.trace, sections.ground, sections.crest_x_m, "
-      "sections.crest_z_m, sections.toe_x_m, sections.toe_z_m, sections.state, sections.reason, "
-      "sections.screening, sections.warnings, sections.latest_run_id, "
-      "(SELECT count(*) FROM runs WHERE runs.section_id = sections.id), " +
-      result_columns() +
-      " FROM sections LEFT JOIN results ON results.run_id = sections.latest_run_id "
-      "LEFT JOIN placements ON placements.run_id = results.run_id ";
+      select_with("'[]'", without(result_columns(), "results.profile_after"));
   return select;
 }
 

@@ -3,6 +3,7 @@
 // not at all. Safe to call from several threads. Throws StoreError when SQLite fails.
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -31,6 +32,22 @@ struct JobFilter {
   std::string created_from{}, created_to{};  ///< ISO 8601, empty: open
   int limit = 100;
   int offset = 0;
+};
+
+/// A page of sections or zones: of one job, or over all jobs that succeeded and have a map.
+struct PageFilter {
+  std::string job{};                 ///< empty: all jobs that succeeded and have a map
+  std::optional<MapBox> box{};       ///< longitude and latitude; west > east crosses 180 degrees
+  std::optional<std::int64_t> id{};  ///< this one alone
+  int limit = 100;
+  int offset = 0;
+};
+
+/// What the features of a layer cover together, in longitude and latitude.
+struct Coverage {
+  int features = 0;
+  std::optional<MapBox> box;
+  std::vector<int> epsg;  ///< of the DEMs they stand on
 };
 
 class Store {
@@ -62,6 +79,10 @@ class Store {
   bool set_job_state(const std::string& id, JobState state, const std::string& message);
   /// Only while the job is accepted or running; later it is ignored.
   void set_job_progress(const std::string& id, int progress, const std::string& message);
+  /// Jobs in one of the final states that ended before a time, oldest first.
+  std::vector<std::string> jobs_finished_before(const std::string& time) const;
+  /// Removes a job with its sections, runs, results and zones. False where it is not finished.
+  bool remove_job(const std::string& id);
 
   // Sections of a job
   /// Stores the whole layout of a job, once: where sections of the job stand already (the server
@@ -90,6 +111,19 @@ class Store {
   /// as it is. StoreError for an interrupted result or a run of another section.
   bool take_in(std::int64_t section, const std::string& run, const SectionResult& result,
                const PlacedResult& placed, const std::string& result_json);
+  /// Sections in the order they were stored, without `ground` and the result's `profile_after`.
+  std::vector<SectionRecord> section_page(const PageFilter& filter) const;
+  int count_sections(const PageFilter& filter) const;
+  /// Sections in a state, of all jobs.
+  int count_sections(SectionState state) const;
+  /// Every run of a job's sections: the names of their folders.
+  std::vector<std::string> run_folders(const std::string& job) const;
+  /// Whether a run of that name was ever stored.
+  bool has_run(const std::string& run) const;
+  /// Runs whose folders a copy of the store needs: the latest of every section.
+  std::vector<std::string> latest_runs() const;
+  /// Median cost of the results in the store, for estimates; nothing where there is none.
+  std::optional<TypicalRun> typical_run() const;
   /// The result_json of the section's latest run.
   std::optional<std::string> result_document(std::int64_t section) const;
 
@@ -97,11 +131,26 @@ class Store {
   /// Replaces the job's zones. StoreError where a zone names a section the job does not have.
   void set_zones(const std::string& job, const std::vector<Zone>& zones);
   std::vector<ZoneRecord> zones(const std::string& job) const;
+  std::vector<ZoneRecord> zone_page(ZoneKind kind, const PageFilter& filter) const;
+  int count_zones(ZoneKind kind, const PageFilter& filter) const;
+
+  // Where sections and zones lie, in longitude and latitude
+  /// Replaces those that stand.
+  void set_section_boxes(const std::vector<FeatureBox>& boxes);
+  void set_zone_boxes(const std::vector<FeatureBox>& boxes);
+  /// Jobs on a DEM with a section or zone that has no box.
+  std::vector<std::string> jobs_without_boxes() const;
+  Coverage section_coverage() const;  ///< of all jobs that succeeded
+  Coverage zone_coverage(ZoneKind kind) const;
 
  private:
   class Connection;
   std::unique_ptr<Connection> connection_;
 };
+
+/// A copy of a store as it is at one moment, also while a server writes to it. The copy appears
+/// whole or not at all. Throws StoreError where the store can't be read or the copy is damaged.
+void back_up(const std::filesystem::path& store, const std::filesystem::path& copy);
 
 /// Now, UTC, "2026-01-31T12:00:00.000Z".
 std::string utc_now();

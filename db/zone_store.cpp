@@ -1,8 +1,7 @@
 // Zones: the product of a job.
 
-#include <map>
-
 #include "db/connection.hpp"
+#include "db/feature_page.hpp"
 #include "db/json_text.hpp"
 #include "db/store.hpp"
 
@@ -10,14 +9,15 @@ namespace leda::db {
 
 namespace {
 
+const char* word(ZoneKind kind) { return kind == ZoneKind::release ? "release" : "runout"; }
+
 void insert_zone(Database& database, const std::string& job, int ordinal, const Zone& zone) {
   Query insert(database,
                "INSERT INTO zones (job_id, ordinal, kind, area, largest_distance_m, "
                "mean_distance_m, warnings, made_by) VALUES (?, ?, ?, ?, ?, ?, ?, ?) "
                "RETURNING id");
-  insert.with(job, ordinal, zone.kind == ZoneKind::release ? "release" : "runout",
-              to_json(zone.area), zone.largest_distance_m, zone.mean_distance_m,
-              to_json(zone.warnings), zone.made_by);
+  insert.with(job, ordinal, word(zone.kind), to_json(zone.area), zone.largest_distance_m,
+              zone.mean_distance_m, to_json(zone.warnings), zone.made_by);
   insert.next();
   const std::int64_t id = insert.integer();
   for (std::size_t i = 0; i < zone.sections.size(); ++i)
@@ -27,18 +27,39 @@ void insert_zone(Database& database, const std::string& job, int ordinal, const 
         .run();
 }
 
-std::map<std::int64_t, std::vector<std::string>> sections_of_zones(Database& database,
-                                                                   const std::string& job) {
-  std::map<std::int64_t, std::vector<std::string>> names;
-  Query rows(database,
-             "SELECT zone_id, section FROM zone_sections WHERE job_id = ? "
-             "ORDER BY zone_id, ordinal");
-  rows.with(job);
-  while (rows.next()) {
-    const std::int64_t zone = rows.integer();
-    names[zone].push_back(rows.text());
-  }
+// The versions that computed the sections of a zone stand with their results.
+const std::string columns =
+    "SELECT zones.id, zones.job_id, zones.kind, zones.area, zones.largest_distance_m, "
+    "zones.mean_distance_m, zones.warnings, zones.made_by, "
+    "(SELECT group_concat(DISTINCT results.version) FROM zone_sections "
+    " JOIN sections ON sections.job_id = zone_sections.job_id "
+    "  AND sections.name = zone_sections.section "
+    " JOIN results ON results.run_id = sections.latest_run_id "
+    " WHERE zone_sections.zone_id = zones.id) FROM zones ";
+
+std::vector<std::string> sections_of_zone(Database& database, std::int64_t zone) {
+  std::vector<std::string> names;
+  Query rows(database, "SELECT section FROM zone_sections WHERE zone_id = ? ORDER BY ordinal");
+  rows.with(zone);
+  while (rows.next()) names.push_back(rows.text());
   return names;
+}
+
+std::vector<ZoneRecord> zones_from(Database& database, Query& rows) {
+  std::vector<ZoneRecord> all;
+  while (rows.next()) {
+    ZoneRecord record{.id = rows.integer(), .job = rows.text(), .zone = {}, .version = {}};
+    record.zone = Zone{.kind = rows.text() == "release" ? ZoneKind::release : ZoneKind::runout,
+                       .area = area_from_json(rows.text()),
+                       .sections = sections_of_zone(database, record.id),
+                       .largest_distance_m = rows.real(),
+                       .mean_distance_m = rows.real(),
+                       .warnings = words_from_json(rows.text()),
+                       .made_by = rows.text()};
+    record.version = rows.text();
+    all.push_back(std::move(record));
+  }
+  return all;
 }
 
 }  // namespace
@@ -53,25 +74,33 @@ void Store::set_zones(const std::string& job, const std::vector<Zone>& zones) {
 
 std::vector<ZoneRecord> Store::zones(const std::string& job) const {
   return connection_->read([&] {
-    auto names = sections_of_zones(*connection_, job);
-    std::vector<ZoneRecord> all;
-    Query rows(*connection_,
-               "SELECT id, kind, area, largest_distance_m, mean_distance_m, warnings, made_by "
-               "FROM zones WHERE job_id = ? ORDER BY ordinal");
+    Query rows(*connection_, columns + "WHERE zones.job_id = ? ORDER BY zones.ordinal");
     rows.with(job);
-    while (rows.next()) {
-      ZoneRecord record{.id = rows.integer(), .job = job, .zone = {}};
-      record.zone = Zone{.kind = rows.text() == "release" ? ZoneKind::release : ZoneKind::runout,
-                         .area = area_from_json(rows.text()),
-                         .sections = std::move(names[record.id]),
-                         .largest_distance_m = rows.real(),
-                         .mean_distance_m = rows.real(),
-                         .warnings = words_from_json(rows.text()),
-                         .made_by = rows.text()};
-      all.push_back(std::move(record));
-    }
-    return all;
+    return zones_from(*connection_, rows);
   });
+}
+
+std::vector<ZoneRecord> Store::zone_page(ZoneKind kind, const PageFilter& filter) const {
+  return connection_->read([&] {
+    Query rows(*connection_, columns + page_of("zones", filter, "zones.kind = ?9 AND ") +
+                                 "ORDER BY zones.id LIMIT max(?7, 0) OFFSET ?8");
+    bind_page(rows, filter, word(kind));
+    return zones_from(*connection_, rows);
+  });
+}
+
+int Store::count_zones(ZoneKind kind, const PageFilter& filter) const {
+  return connection_->read([&] {
+    Query row(*connection_,
+              "SELECT count(*) FROM zones " + page_of("zones", filter, "zones.kind = ?9 AND "));
+    bind_page(row, filter, word(kind));
+    row.next();
+    return row.small_integer();
+  });
+}
+
+Coverage Store::zone_coverage(ZoneKind kind) const {
+  return connection_->read([&] { return coverage_of(*connection_, "zones", word(kind)); });
 }
 
 }  // namespace leda::db

@@ -1,0 +1,138 @@
+// Pages of sections and zones over one job or all, and where features lie.
+
+#include "db/feature_page.hpp"
+
+#include "db/connection.hpp"
+#include "db/section_row.hpp"
+
+namespace leda::db {
+
+namespace {
+
+std::string singular(const std::string& table) { return table.substr(0, table.size() - 1); }
+
+std::string join_boxes(const std::string& table) {
+  const std::string one = singular(table);
+  return one + "_boxes AS box ON box." + one + "_id = " + table + ".id ";
+}
+
+constexpr const char* overlaps =
+    "box.south <= ?5 AND box.north >= ?3 AND (CASE WHEN ?2 <= ?4 "
+    "THEN box.west <= ?4 AND box.east >= ?2 ELSE box.west <= ?4 OR box.east >= ?2 END) AND ";
+
+constexpr const char* of_shown_jobs =
+    "JOIN jobs ON jobs.id = %.job_id AND jobs.state = 'successful' AND jobs.raster_id IS NOT NULL ";
+
+std::string with_table(std::string text, const std::string& table) {
+  for (auto at = text.find('%'); at != std::string::npos; at = text.find('%'))
+    text.replace(at, 1, table);
+  return text;
+}
+
+void set_boxes(Database& database, const std::string& one, const std::vector<FeatureBox>& boxes) {
+  database.write([&] {
+    for (const FeatureBox& b : boxes)
+      Query(database, "INSERT OR REPLACE INTO " + one + "_boxes (" + one +
+                          "_id, west, south, east, north) VALUES (?, ?, ?, ?, ?)")
+          .with(b.id, b.box[0], b.box[1], b.box[2], b.box[3])
+          .run();
+  });
+}
+
+}  // namespace
+
+// The statement is put together from fixed parts alone: what a client sends is bound, never pasted.
+std::string page_of(const std::string& table, const PageFilter& filter,
+                    const std::string& condition) {
+  std::string text;
+  if (filter.job.empty()) text += with_table(of_shown_jobs, table);
+  if (filter.box) text += "JOIN " + join_boxes(table);
+  text += "WHERE " + condition;
+  if (filter.box) text += overlaps;
+  if (filter.id) text += table + ".id = ?6 AND ";
+  text += filter.job.empty() ? "?1 = '' " : table + ".job_id = ?1 ";
+  return text;
+}
+
+void bind_page(Query& query, const PageFilter& filter, const std::string& last) {
+  const MapBox box = filter.box.value_or(MapBox{});
+  query.with_some(filter.job, box[0], box[1], box[2], box[3], filter.id.value_or(0), filter.limit,
+                  filter.offset, last);
+}
+
+Coverage coverage_of(Database& database, const std::string& table, const std::string& kind) {
+  const std::string from = "FROM " + table + " " + with_table(of_shown_jobs, table) + "LEFT JOIN " +
+                           join_boxes(table) +
+                           (kind.empty() ? "WHERE ?1 = ''" : "WHERE zones.kind = ?1");
+  Coverage coverage;
+  Query row(
+      database,
+      "SELECT count(*), min(box.west), min(box.south), max(box.east), max(box.north) " + from);
+  row.with(kind).next();
+  coverage.features = row.small_integer();
+  if (!row.is_null()) coverage.box = MapBox{row.real(), row.real(), row.real(), row.real()};
+  Query codes(database,
+              "SELECT DISTINCT rasters.epsg FROM rasters JOIN jobs ON jobs.raster_id = rasters.id "
+              "WHERE jobs.state = 'successful' AND EXISTS (SELECT 1 FROM " +
+                  table + " WHERE " + table + ".job_id = jobs.id) ORDER BY 1");
+  while (codes.next()) coverage.epsg.push_back(codes.small_integer());
+  return coverage;
+}
+
+std::vector<SectionRecord> Store::section_page(const PageFilter& filter) const {
+  return connection_->read([&] {
+    std::vector<SectionRecord> page;
+    Query rows(*connection_, select_sections_without_ground() + page_of("sections", filter, "") +
+                                 "ORDER BY sections.id LIMIT max(?7, 0) OFFSET ?8");
+    bind_page(rows, filter, "");
+    while (rows.next()) page.push_back(section_from(rows));
+    return page;
+  });
+}
+
+int Store::count_sections(const PageFilter& filter) const {
+  return connection_->read([&] {
+    Query row(*connection_, "SELECT count(*) FROM sections " + page_of("sections", filter, ""));
+    bind_page(row, filter, "");
+    row.next();
+    return row.small_integer();
+  });
+}
+
+int Store::count_sections(SectionState state) const {
+  return connection_->read([&] {
+    // The state stands in the text, not in a parameter: only so the partial index is used.
+    Query row(*connection_, std::string("SELECT count(*) FROM sections WHERE state = '") +
+                                to_string(state) + "'");
+    row.next();
+    return row.small_integer();
+  });
+}
+
+void Store::set_section_boxes(const std::vector<FeatureBox>& boxes) {
+  set_boxes(*connection_, "section", boxes);
+}
+
+void Store::set_zone_boxes(const std::vector<FeatureBox>& boxes) {
+  set_boxes(*connection_, "zone", boxes);
+}
+
+std::vector<std::string> Store::jobs_without_boxes() const {
+  return connection_->read([&] {
+    std::vector<std::string> jobs;
+    Query rows(*connection_,
+               "SELECT id FROM jobs WHERE raster_id IS NOT NULL AND ("
+               "EXISTS (SELECT 1 FROM sections WHERE job_id = jobs.id AND id NOT IN "
+               "        (SELECT section_id FROM section_boxes)) OR "
+               "EXISTS (SELECT 1 FROM zones WHERE job_id = jobs.id AND id NOT IN "
+               "        (SELECT zone_id FROM zone_boxes))) ORDER BY sequence");
+    while (rows.next()) jobs.push_back(rows.text());
+    return jobs;
+  });
+}
+
+Coverage Store::section_coverage() const {
+  return connection_->read([&] { return coverage_of(*connection_, "sections", ""); });
+}
+
+}  // namespace leda::db

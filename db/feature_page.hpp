@@ -1,0 +1,23 @@
+#pragma once
+// Pages of sections and zones, found in SQL. Private to db/.
+
+#include <string>
+
+#include "db/database.hpp"
+#include "db/store.hpp"
+
+namespace leda::db {
+
+/// JOIN and WHERE for a table of features, "sections" or "zones": ?1 the job, ?2 to ?5 the box,
+/// ?6 the id, ?7 and ?8 (limit and offset) are the caller's, ?9 as `condition` wants it.
+/// @param condition of the caller, ends with AND, or empty
+std::string page_of(const std::string& table, const PageFilter& filter,
+                    const std::string& condition);
+
+/// @param last what ?9 stands for
+void bind_page(Query& query, const PageFilter& filter, const std::string& last);
+
+/// What the features of jobs that succeeded cover. @param kind of zones; empty for sections
+Coverage coverage_of(Database& database, const std::string& table, const std::string& kind);
+
+}  // namespace leda::db
