@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "server/dispatcher.hpp"
+#include "server/features.hpp"
 #include "server/summary.hpp"
 #include "server/take_in.hpp"
 
@@ -109,6 +110,7 @@ void Dispatcher::finish(OpenJob& job) {
   }
   try {
     store_.set_zones(id, job.work->zones(job.sections));
+    keep_boxes(store_, job.record);
   } catch (const db::StoreError&) {
     throw;
   } catch (const std::exception& error) {

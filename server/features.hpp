@@ -1,7 +1,7 @@
 #pragma once
 // Sections and zones as GeoJSON features in longitude and latitude (CRS84), for OGC API - Features
 // and for results. Clients infer the schema from the first page, so every property stands on every
-// feature.
+// feature; its type is told by schema_of as well.
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -21,12 +21,22 @@ inline constexpr std::array all_collections{Collection::sections, Collection::re
 const char* to_string(Collection collection);
 std::optional<Collection> collection_from(const std::string& id);
 
-/// Every feature of a job in a collection. @pre the job has a DEM
-std::vector<nlohmann::json> features_of(const db::Store& store, const db::JobRecord& job,
-                                        Collection collection);
+/// A page of features. Where `filter` names a job, the job must have a DEM.
+std::vector<nlohmann::json> feature_page(const db::Store& store, Collection collection,
+                                         const db::PageFilter& filter);
 
-/// {west, south, east, north} of a feature's geometry, degrees.
-std::array<double, 4> box_of(const nlohmann::json& feature);
+/// How many features a filter finds, over all pages.
+int count_features(const db::Store& store, Collection collection, const db::PageFilter& filter);
+
+/// What the features of a collection cover.
+db::Coverage coverage_of(const db::Store& store, Collection collection);
+
+/// JSON schema of a feature's properties.
+nlohmann::json schema_of(Collection collection);
+
+/// Keeps where the sections and zones of a job lie, so that pages find them by box. Needed after
+/// a layout and after zones were stored; a job without a DEM is left alone.
+void keep_boxes(db::Store& store, const db::JobRecord& job);
 
 nlohmann::json feature_collection(const std::vector<nlohmann::json>& features);
 

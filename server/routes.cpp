@@ -37,6 +37,8 @@ constexpr std::array table{
 
     Route{"GET", "/collections", get_collections, "Layers of the map", "f"},
     Route{"GET", "/collections/{collectionID}", get_collection, "A layer", "f"},
+    Route{"GET", "/collections/{collectionID}/schema", get_schema, "Properties of its features",
+          "f"},
     Route{"GET", "/collections/{collectionID}/items", get_items, "Features of a layer",
           "f bbox limit offset job datetime"},
     Route{"GET", "/collections/{collectionID}/items/{featureID}", get_item, "A feature", "f"},

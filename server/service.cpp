@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "server/features.hpp"
 #include "server/problem.hpp"
 
 namespace leda::server {
@@ -51,6 +52,8 @@ Service::Service(const std::filesystem::path& data_folder, const ServiceOptions&
         return std::make_unique<LocalExecutor>(options.program, options.workers,
                                                options.run_limits);
       }) {
+  // Jobs of an older Leda, and one whose server was killed between two lines of submit().
+  for (const auto& id : store.jobs_without_boxes()) keep_boxes(store, store.job(id).value());
   dispatcher.start();
 }
 
@@ -76,6 +79,7 @@ Submitted submit(Service& service, const Process& process, const std::string& re
   job.created = job.updated = db::utc_now();
   service.store.add_job(job);
   service.store.set_sections(job.id, sections);
+  keep_boxes(service.store, job);
   service.dispatcher.add(job.id);
   spdlog::info("job={} accepted: {} with {} sections", job.id, process.id, sections.size());
   return {job, false};

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -16,7 +15,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* crs84 = "http://www.opengis.net/def/crs/OGC/1.3/CRS84";
-constexpr int most_jobs = 10'000;
 
 Collection collection_or_problem(const std::string& id) {
   const auto collection = collection_from(id);
@@ -28,87 +26,69 @@ Collection collection_or_problem(const std::string& id) {
   return *collection;
 }
 
-/// Jobs whose features are shown: one, or all that succeeded.
-std::vector<db::JobRecord> shown_jobs(const Service& service, const Call& call) {
-  if (const auto id = call.parameter("job")) {
-    auto job = job_or_problem(service.store, *id);
-    if (epsg_of(service.store, job) == 0) return {};
-    return {job};
-  }
-  db::JobFilter filter;
-  filter.states = {db::JobState::successful};
-  filter.limit = most_jobs;
-  auto jobs = service.store.jobs(filter);
-  std::erase_if(jobs, [&](const auto& job) { return epsg_of(service.store, job) == 0; });
-  return jobs;
-}
-
-std::vector<json> all_features(const Service& service, const Call& call, Collection collection) {
-  std::vector<json> features;
-  for (const auto& job : shown_jobs(service, call)) {
-    for (auto& feature : features_of(service.store, job, collection)) {
-      features.push_back(std::move(feature));
-    }
-  }
-  return features;
-}
-
-/// bbox=west,south,east,north in degrees.
-std::optional<std::array<double, 4>> wanted_box(const Call& call) {
+/// bbox=west,south,east,north in degrees, or the same with two heights, which say nothing here.
+std::optional<MapBox> wanted_box(const Call& call) {
   if (!call.parameter("bbox")) return std::nullopt;
   const auto parts = list(call, "bbox");
-  std::array<double, 4> box{};
-  bool sound = parts.size() == 4;
-  for (std::size_t i = 0; sound && i < 4; ++i) {
-    const char* last = parts[i].data() + parts[i].size();
-    const auto [end, error] = std::from_chars(parts[i].data(), last, box[i]);
-    sound = error == std::errc{} && end == last && std::isfinite(box[i]);
+  std::vector<double> numbers;
+  bool sound = parts.size() == 4 || parts.size() == 6;
+  for (const auto& part : parts) {
+    double number = 0;
+    const char* last = part.data() + part.size();
+    const auto [end, error] = std::from_chars(part.data(), last, number);
+    sound = sound && error == std::errc{} && end == last && std::isfinite(number);
+    numbers.push_back(number);
   }
-  if (!sound || box[1] > box[3]) {
+  if (sound && parts.size() == 6) numbers = {numbers[0], numbers[1], numbers[3], numbers[4]};
+  if (!sound || numbers[1] > numbers[3]) {
     throw Problem(Failure::invalid_parameter, "bbox is '" + *call.parameter("bbox") +
                                                   "': give west,south,east,north in degrees");
   }
-  return box;
+  return MapBox{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-bool overlap(const std::array<double, 4>& a, const std::array<double, 4>& b) {
-  return a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
+db::PageFilter filter_of(const Service& service, const Call& call) {
+  db::PageFilter filter;
+  filter.limit = whole_number(call, "limit", 100, 1, 10'000);
+  filter.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
+  filter.box = wanted_box(call);
+  if (const auto id = call.parameter("job")) filter.job = job_or_problem(service.store, *id).id;
+  return filter;
 }
 
-/// The CRS the coordinates are kept in, where all shown jobs share one.
-std::string storage_crs(const Service& service, const Call& call) {
-  int common = 0;
-  for (const auto& job : shown_jobs(service, call)) {
-    const int epsg = epsg_of(service.store, job);
-    if (common != 0 && common != epsg) return crs84;
-    common = epsg;
-  }
-  if (common == 0) return crs84;
-  return "http://www.opengis.net/def/crs/EPSG/0/" + std::to_string(common);
+/// A job that stands on no DEM has nothing on the map.
+bool has_a_map(const Service& service, const db::PageFilter& filter) {
+  return filter.job.empty() || epsg_of(service.store, *service.store.job(filter.job)) != 0;
 }
 
-json collection_document(const Service& service, const Call& call, Collection collection) {
+/// The CRS the coordinates are kept in, where all features share one.
+std::string storage_crs(const db::Coverage& coverage) {
+  if (coverage.epsg.size() != 1) return crs84;
+  return "http://www.opengis.net/def/crs/EPSG/0/" + std::to_string(coverage.epsg.front());
+}
+
+json link(const std::string& href, const char* rel, const char* type) {
+  return {{"href", href}, {"rel", rel}, {"type", type}};
+}
+
+json collection_document(const Service& service, Collection collection) {
   const std::string own = service.url + "/collections/" + to_string(collection);
-  std::array<double, 4> box{-180, -90, 180, 90};
-  const auto features = all_features(service, call, collection);
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    const auto one = box_of(features[i]);
-    box = i == 0 ? one
-                 : std::array{std::min(box[0], one[0]), std::min(box[1], one[1]),
-                              std::max(box[2], one[2]), std::max(box[3], one[3])};
-  }
+  const db::Coverage coverage = coverage_of(service.store, collection);
   const char* title = collection == Collection::sections        ? "Sections"
                       : collection == Collection::release_zones ? "Release zones"
                                                                 : "Runout zones";
-  return {{"id", to_string(collection)},
-          {"title", title},
-          {"itemType", "feature"},
-          {"crs", {crs84}},
-          {"storageCrs", storage_crs(service, call)},
-          {"extent", {{"spatial", {{"bbox", json::array({box})}, {"crs", crs84}}}}},
-          {"links",
-           {{{"href", own}, {"rel", "self"}, {"type", "application/json"}},
-            {{"href", own + "/items"}, {"rel", "items"}, {"type", "application/geo+json"}}}}};
+  const MapBox box = coverage.box.value_or(MapBox{-180, -90, 180, 90});
+  return {
+      {"id", to_string(collection)},
+      {"title", title},
+      {"description", "of all jobs that succeeded; job= selects one"},
+      {"itemType", "feature"},
+      {"crs", {crs84}},
+      {"storageCrs", storage_crs(coverage)},
+      {"extent", {{"spatial", {{"bbox", json::array({box})}, {"crs", crs84}}}}},
+      {"links", json::array({link(own, "self", "application/json"),
+                             link(own + "/items", "items", "application/geo+json"),
+                             link(own + "/schema", "describedby", "application/schema+json")})}};
 }
 
 Answer geojson_answer(const json& document) {
@@ -123,43 +103,44 @@ Answer get_collections(Service& service, const Call& call) {
   format(call, {"json"});
   json collections = json::array();
   for (const Collection collection : all_collections) {
-    collections.push_back(collection_document(service, call, collection));
+    collections.push_back(collection_document(service, collection));
   }
-  return json_answer({{"collections", collections},
-                      {"links",
-                       {{{"href", service.url + "/collections"},
-                         {"rel", "self"},
-                         {"type", "application/json"}}}}});
+  return json_answer(
+      {{"collections", collections},
+       {"links", json::array({link(service.url + "/collections", "self", "application/json")})}});
 }
 
 Answer get_collection(Service& service, const Call& call) {
   format(call, {"json"});
-  return json_answer(collection_document(service, call, collection_or_problem(call.captured[0])));
+  return json_answer(collection_document(service, collection_or_problem(call.captured[0])));
+}
+
+Answer get_schema(Service&, const Call& call) {
+  format(call, {"json"});
+  Answer answer = json_answer(schema_of(collection_or_problem(call.captured[0])));
+  answer.type = "application/schema+json";
+  return answer;
 }
 
 Answer get_items(Service& service, const Call& call) {
   format(call, {"json", "geojson"});
   const Collection collection = collection_or_problem(call.captured[0]);
-  const int limit = whole_number(call, "limit", 100, 1, 10'000);
-  const int offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
-  auto features = all_features(service, call, collection);
-  if (const auto box = wanted_box(call)) {
-    std::erase_if(features, [&](const json& feature) { return !overlap(box_of(feature), *box); });
+  const db::PageFilter filter = filter_of(service, call);
+  const bool any = has_a_map(service, filter);
+  const int matched = any ? count_features(service.store, collection, filter) : 0;
+  const auto features = any ? feature_page(service.store, collection, filter) : std::vector<json>{};
+  const int returned = static_cast<int>(features.size());
+  const std::string own = service.url + "/collections/" + to_string(collection);
+  json document = feature_collection(features);
+  document["links"] = json::array(
+      {link(with_offset(call, own + "/items", filter.offset), "self", "application/geo+json")});
+  if (returned > 0 && filter.offset + returned < matched) {
+    document["links"].push_back(link(with_offset(call, own + "/items", filter.offset + returned),
+                                     "next", "application/geo+json"));
   }
-  const auto matched = static_cast<int>(features.size());
-  const int from = std::min(offset, matched);
-  const int to = std::min(from + limit, matched);
-  json document = feature_collection({features.begin() + from, features.begin() + to});
-  const std::string own = service.url + "/collections/" + to_string(collection) + "/items";
-  document["links"] = json::array({{{"href", with_offset(call, own, offset)},
-                                    {"rel", "self"},
-                                    {"type", "application/geo+json"}}});
-  if (to < matched) {
-    document["links"].push_back(
-        {{"href", with_offset(call, own, to)}, {"rel", "next"}, {"type", "application/geo+json"}});
-  }
+  document["links"].push_back(link(own, "collection", "application/json"));
   document["numberMatched"] = matched;
-  document["numberReturned"] = to - from;
+  document["numberReturned"] = returned;
   document["timeStamp"] = db::utc_now();
   return geojson_answer(document);
 }
@@ -167,20 +148,22 @@ Answer get_items(Service& service, const Call& call) {
 Answer get_item(Service& service, const Call& call) {
   format(call, {"json", "geojson"});
   const Collection collection = collection_or_problem(call.captured[0]);
-  for (auto& feature : all_features(service, call, collection)) {
-    if (std::to_string(feature["id"].get<std::int64_t>()) != call.captured[1]) continue;
-    feature["links"] =
-        json::array({{{"href", service.url + "/collections/" + to_string(collection) + "/items/" +
-                                   call.captured[1]},
-                      {"rel", "self"},
-                      {"type", "application/geo+json"}},
-                     {{"href", service.url + "/collections/" + to_string(collection)},
-                      {"rel", "collection"},
-                      {"type", "application/json"}}});
-    return geojson_answer(feature);
+  const std::string& text = call.captured[1];
+  std::int64_t id = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+  const bool is_id = error == std::errc{} && end == text.data() + text.size();
+  db::PageFilter filter;
+  filter.id = id;
+  auto found = is_id ? feature_page(service.store, collection, filter) : std::vector<json>{};
+  if (found.empty()) {
+    throw Problem(Failure::no_such_resource,
+                  "there is no feature " + text + " in " + to_string(collection));
   }
-  throw Problem(Failure::no_such_resource,
-                "there is no feature " + call.captured[1] + " in " + to_string(collection));
+  const std::string own = service.url + "/collections/" + to_string(collection);
+  found.front()["links"] =
+      json::array({link(own + "/items/" + text, "self", "application/geo+json"),
+                   link(own, "collection", "application/json")});
+  return geojson_answer(found.front());
 }
 
 }  // namespace leda::server

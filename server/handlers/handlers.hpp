@@ -42,6 +42,7 @@ Answer get_hillshade(Service& service, const Call& call);
 // collections.cpp
 Answer get_collections(Service& service, const Call& call);
 Answer get_collection(Service& service, const Call& call);
+Answer get_schema(Service& service, const Call& call);
 Answer get_items(Service& service, const Call& call);
 Answer get_item(Service& service, const Call& call);
 

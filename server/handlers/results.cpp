@@ -43,6 +43,14 @@ const char* media_type_of(const std::string& format) {
   return format == "csv" ? "text/csv" : "application/json";
 }
 
+/// A whole job in one page: a layout has a limit of its own.
+db::PageFilter all_of(const db::JobRecord& job) {
+  db::PageFilter filter;
+  filter.job = job.id;
+  filter.limit = 1'000'000;
+  return filter;
+}
+
 json rows_of(const Service& service, const db::JobRecord& job) {
   json rows = json::array();
   const std::string own = service.url + "/jobs/" + job.id + "/sections/";
@@ -80,7 +88,8 @@ Answer get_results(Service& service, const Call& call) {
   json results = {{"sections", rows_of(service, job)}};
   if (epsg_of(service.store, job) != 0) {
     for (const Collection zones : {Collection::release_zones, Collection::runout_zones}) {
-      results[to_string(zones)] = feature_collection(features_of(service.store, job, zones));
+      results[to_string(zones)] =
+          feature_collection(feature_page(service.store, zones, all_of(job)));
     }
   }
   Answer answer = json_answer(results);
