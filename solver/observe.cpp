@@ -105,6 +105,10 @@ Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe
   return m;
 }
 
+SlideCount::SlideCount(double bank_height_m, double cell_m)
+    : window_s_(0.25 * std::sqrt(bank_height_m / gravity)),
+      begins_m_(std::max(0.25 * bank_height_m, 3 * cell_m)) {}
+
 void SlideCount::forget_oldest() {
   std::copy(recent_.begin() + 1, recent_.end(), recent_.begin());
   --recent_count_;
@@ -113,13 +117,12 @@ void SlideCount::forget_oldest() {
 void SlideCount::observe(double time_s, double retrogression_m) {
   if (recent_count_ == most_recent) forget_oldest();
   recent_[recent_count_++] = {time_s, retrogression_m};
-  // The last look before the window is kept: growth is measured over at least its length.
-  while (recent_count_ > 2 && recent_[1][0] <= time_s - slide_window_s) forget_oldest();
+  while (recent_[0][0] < time_s - window_s_) forget_oldest();
   const double growth = retrogression_m - recent_[0][1];
-  if (!sliding_ && growth >= slide_begins_m) {
+  if (!sliding_ && growth >= begins_m_) {
     sliding_ = true;
     ++count_;
-  } else if (sliding_ && growth < slide_ends_m) {
+  } else if (sliding_ && growth < 0.5 * begins_m_) {
     sliding_ = false;
   }
 }

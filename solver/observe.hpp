@@ -1,7 +1,9 @@
 #pragma once
 // From particles to what an engineer reads: surface, backscarp, front, slides.
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "solver/section/crest_and_toe.hpp"
@@ -27,9 +29,6 @@ Surface surface(const Seeded& seeded);
 /// Thresholds of the definitions in solver/README.md, "Retrogression and runout".
 inline constexpr double surface_threshold_m = 0.5;
 inline constexpr std::size_t most_gap_columns = 2;
-inline constexpr double slide_window_s = 0.3;
-inline constexpr double slide_begins_m = 4.0;
-inline constexpr double slide_ends_m = 2.0;
 
 struct Movement {
   double retrogression_m = 0;
@@ -43,21 +42,30 @@ struct Movement {
 Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe& bank,
                  const Surface& before);
 
-/// Counts slides while the run goes on. Between slides the backscarp creeps back by crumbling; a
-/// slide is a burst: it begins when the backscarp retreats by slide_begins_m within
-/// slide_window_s and is over when it retreats by less than slide_ends_m in that time.
+/// Counts slides while the run goes on. Lengths are measured in the height H of the bank, times in
+/// sqrt(H / g). A scarp that crumbles retreats no faster than its debris leaves, and that is slower
+/// than sqrt(g H), the speed of a shallow wave and of a body that fell by H / 2. Faster than that
+/// the backscarp can only go where ground over some width lets go at once, as one slide: it begins
+/// when the backscarp retreats by H / 4 (and three cells, since it jumps by single ones while
+/// crumbling) within sqrt(H / g) / 4, and is over when it retreats by less than half as much.
 class SlideCount {
  public:
-  /// @param time_s never decreasing
+  SlideCount() = default;  ///< counts nothing
+  /// @param bank_height_m from toe to crest, > 0
+  SlideCount(double bank_height_m, double cell_m);
+
+  /// @param time_s never decreasing; looks at most look_interval_s() apart
   void observe(double time_s, double retrogression_m);
   int count() const { return count_; }
+  double look_interval_s() const { return std::min(0.1, window_s_ / 3); }
 
  private:
   void forget_oldest();
 
-  static constexpr std::size_t most_recent = 16;
+  static constexpr std::size_t most_recent = 32;
   std::array<std::array<double, 2>, most_recent> recent_{};  ///< time, retrogression
   std::size_t recent_count_ = 0;
+  double window_s_ = 1, begins_m_ = std::numeric_limits<double>::infinity();
   bool sliding_ = false;
   int count_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "solver/audit.hpp"
+#include "solver/last_good.hpp"
 #include "solver/observe.hpp"
 #include "solver/section/run_settings.hpp"
 #include "solver/section/section.hpp"
@@ -41,6 +42,7 @@ struct RunState {
   double travel = 0;  ///< the most a particle may have moved since the last sort, m
   int since_sort = 0;
   StageClock clock;
+  LastGood last_good;          ///< what the run ends with should it become unstable
   bool resumed = false;        ///< the state comes from a checkpoint
   std::int64_t frames = 0;     ///< handed to the listener so far
   double run_time_before = 0;  ///< of the processes before this one, s

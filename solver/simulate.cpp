@@ -29,10 +29,13 @@ bool moved(const Movement& m) {
   return m.retrogression_m > 0 || m.runout_m > 0 || m.far_side_dropped;
 }
 
+// An audit that is itself not finite counts as all of the energy.
+double share(double audited) { return std::isfinite(audited) ? audited : 1.0; }
+
 void keep_worst(RunState& run) {
-  run.worst.energy = std::max(run.worst.energy, std::abs(run.audit.residual()));
+  run.worst.energy = std::max(run.worst.energy, std::abs(share(run.audit.residual())));
   run.numerical_dissipation =
-      std::max(run.numerical_dissipation, run.audit.numerical_dissipation());
+      std::max(run.numerical_dissipation, share(run.audit.numerical_dissipation()));
 }
 
 // Softening on; where the section stands and a cut is asked for, the cut.
@@ -94,6 +97,14 @@ void warn(const RunState& run, const Movement& m, std::vector<std::string>& warn
   }
 }
 
+// What broke a run is no result: the state before it is, and the reason tells both times.
+void fall_back(RunState& run, StageEnd& end, bool moving) {
+  const double broke = run.time;
+  run.time = run.last_good.restore(run.seeded.particles);
+  end.reason += moving ? " at " + std::to_string(broke) + " s" : " while the initial stress formed";
+  end.reason += "; what is shown is the sound state at " + std::to_string(run.time) + " s";
+}
+
 SectionResult result_of(RunState& run, const StageEnd& end) {
   const Movement m = measure(run.seeded, *run.section, run.bank, run.ground);
   SectionResult r;
@@ -126,6 +137,8 @@ RunState start(const Section& section, const RunSettings& settings, const Listen
   run.seeded = seed_particles(section, settings.resolution);
   run.bank = bank_of(section);
   run.ground = surface(run.seeded);
+  run.slides = SlideCount(run.bank.crest.z - run.bank.toe.z, settings.resolution.cell_m);
+  run.last_good.keep(run.seeded.particles, 0);
   return run;
 }
 
@@ -143,6 +156,7 @@ SectionResult simulate(const Section& section, const RunSettings& settings,
   if (!run.resumed) early = find_initial_stress(run);
   if (!run.resumed && !early) show_frame(run);
   end = early ? *early : trigger_and_run(run, used);
+  if (end.why == StageEnd::Why::unstable) fall_back(run, end, !early);
   if (sort_particles(run.seeded.particles, run.seeded.grid)) {
     const Balances balance = transfer_balance(run.seeded.particles, run.seeded.grid);
     run.worst.mass = balance.mass;

@@ -12,7 +12,6 @@ namespace {
 constexpr double rest_speed = 0.05;    // m/s
 constexpr double rest_kinetic = 1e-4;  // of the peak
 constexpr double rest_window_s = 1.0;
-constexpr double look_interval_s = 0.1;
 constexpr double most_energy_fed = 0.1;  // of the scale of the audit
 
 using Wall = std::chrono::steady_clock;
@@ -53,6 +52,12 @@ void look(RunState& run) {
   run.listener->progress({std::min(share, 1.0), run.time, cut ? "toe cut" : "softening"});
 }
 
+// What was checked last is what an unstable run falls back on.
+std::optional<StageEnd> keep_good(RunState& run) {
+  if (run.last_good.keep(run.seeded.particles, run.time)) return {};
+  return StageEnd{StageEnd::Why::unstable, "a velocity or stress is beyond all measure"};
+}
+
 // Checkpoints by the wall clock; they only copy the state and cannot change the run.
 class Checkpoints {
  public:
@@ -74,7 +79,7 @@ void begin(RunState& run, StageClock::Stage stage) {
   run.audit = begin_audit(run.seeded.particles, run.seeded.laws, run.seeded.grid.h);
   run.clock = StageClock{};
   run.clock.stage = stage;
-  run.clock.next_look = run.time + look_interval_s;
+  run.clock.next_look = run.time + run.slides.look_interval_s();
   run.clock.next_frame = run.time + run.settings->output.frame_interval_s;
 }
 
@@ -88,18 +93,21 @@ void show_frame(RunState& run) {
 
 StageEnd run_stage(RunState& run, StageClock::Stage stage) {
   if (run.clock.stage != stage) begin(run, stage);
+  if (auto end = keep_good(run)) return *end;
   Checkpoints checkpoints;
   const double frames = run.settings->output.frame_interval_s;
   while (run.time < run.settings->stop.max_time_s) {
     if (auto end = advance(run, run.seeded.laws, run.settings->damping.dynamic, true)) return *end;
     if (frames > 0 && run.time >= run.clock.next_frame) {
+      if (auto end = keep_good(run)) return *end;
       show_frame(run);
       run.clock.next_frame += frames;
     }
     if (run.time < run.clock.next_look) continue;
-    run.clock.next_look += look_interval_s;
+    run.clock.next_look += run.slides.look_interval_s();
     look(run);
     if (auto end = check_plastic_work(run)) return *end;
+    if (auto end = keep_good(run)) return *end;
     if (at_rest(run)) return {};
     const bool interrupted = run.listener->interrupted && run.listener->interrupted();
     checkpoints.maybe(run, interrupted);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/simulate.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {
@@ -81,24 +82,99 @@ TEST(Observe, ABankThatFallsToTheLeftIsTheMirrorImage) {
   EXPECT_NEAR(a.runout_m, b.runout_m, 1e-9);
 }
 
-TEST(SlideCount, CountsBurstsNotCrumbling) {
-  SlideCount slides;
-  double r = 0, t = 0;
-  const auto go = [&](double seconds, double rate) {
-    for (double s = 0; s < seconds; s += 0.1) {
-      t += 0.1;
-      r += rate * 0.1;
-      slides.observe(t, r);
+// A backscarp drawn in units of the bank: times in sqrt(H / g), retreats in H, read in columns.
+class DrawnRetreat {
+ public:
+  DrawnRetreat(double height_m, double cell_m)
+      : height_(height_m),
+        cell_(cell_m),
+        unit_s_(std::sqrt(height_m / gravity)),
+        slides_(height_m, cell_m) {}
+
+  /// @param speed in sqrt(g H), so that 1 is the speed the rule is about
+  DrawnRetreat& go(double times, double speed) {
+    const double end = time_ + times * unit_s_;
+    while (time_ < end) {
+      const double dt = slides_.look_interval_s();
+      time_ += dt;
+      retreat_ += speed * height_ / unit_s_ * dt;
+      slides_.observe(time_, cell_ * std::floor(retreat_ / cell_));
     }
-  };
-  go(2, 3);  // crumbling at 3 m/s
+    return *this;
+  }
+  /// All at once, as a block lets go.
+  DrawnRetreat& jump(double heights) {
+    retreat_ += heights * height_;
+    return go(0.5, 0);
+  }
+  int count() const { return slides_.count(); }
+
+ private:
+  double height_, cell_, unit_s_, time_ = 0, retreat_ = 0;
+  SlideCount slides_;
+};
+
+TEST(SlideCount, CountsTheSameAtEveryHeightOfABank) {
+  for (const double height : {2.0, 5.0, 16.7, 30.0, 80.0}) {
+    DrawnRetreat bank(height, height / 20);
+    bank.go(2, 0.3).jump(0.7).go(3, 0.4).go(0.6, 2.0).go(3, 0.2).jump(0.5).go(4, 0);
+    EXPECT_EQ(bank.count(), 3) << height;
+  }
+}
+
+TEST(SlideCount, CrumblingIsNoSlideHoweverFarItGoes) {
+  EXPECT_EQ(DrawnRetreat(5, 0.3).go(50, 0.6).count(), 0);
+  EXPECT_EQ(DrawnRetreat(16.7, 1).go(50, 0.6).count(), 0);
+}
+
+TEST(SlideCount, ColumnsThatGoOneByOneOnCoarseCellsAreNoSlide) {
+  DrawnRetreat bank(4, 1);  // H / 4 is a single cell
+  for (int i = 0; i < 5; ++i) bank.jump(0.25).go(1, 0);
+  EXPECT_EQ(bank.count(), 0);
+  EXPECT_EQ(bank.jump(1).count(), 1);
+}
+
+TEST(SlideCount, OneLongBurstIsOneSlide) { EXPECT_EQ(DrawnRetreat(10, 0.5).go(3, 1.5).count(), 1); }
+
+TEST(SlideCount, ABackscarpThatWaversWithinACellDoesNotCount) {
+  SlideCount slides(5, 0.3);
+  for (int i = 0; i < 200; ++i) slides.observe(0.06 * i, i % 2 == 0 ? 3.0 : 3.3);
   EXPECT_EQ(slides.count(), 0);
-  go(1, 30);
-  go(2, 2);
-  go(1, 25);
-  EXPECT_EQ(slides.count(), 2);
-  go(3, 0);
-  EXPECT_EQ(slides.count(), 2);
+}
+
+Section five_metres(double peak_strength) {
+  Section s = bank(5, 45, peak_strength);
+  s.ground = {{0, 5}, {20, 5}, {25, 0}, {40, 0}};
+  s.base_m = -1;
+  return s;
+}
+
+RunSettings five_metre_settings(double seconds) {
+  RunSettings settings;
+  settings.resolution.cell_m = 0.5;
+  settings.stop.max_time_s = seconds;
+  return settings;
+}
+
+// Row 25 / 3.0 / 90 of Table 0-1 of the thesis: on pictures one wedge lets go, and its scarp then
+// crumbles back column by column (until the edge of the model, after 7 s).
+TEST(SlideCount, ABankOfFiveMetresThatCrumblesSlidOnce) {
+  Section s = five_metres(25e3);
+  s.materials["clay"].softening =
+      Softening{ExponentialSoftening{3e3, 90}, 0.014, Regularization::none};
+  RunSettings settings = five_metre_settings(6);
+  settings.trigger = UndrainedTrigger{3.0};
+  const SectionResult r = simulate(s, settings);
+  EXPECT_GT(r.crest_to_crest_retrogression_m, 3);
+  EXPECT_EQ(r.slides, 1);
+}
+
+// On pictures a first block is gone at 1 s, the crest crumbles, and a second block with a horst of
+// whole clay behind the first lets go at 2.8 s.
+TEST(SlideCount, ABankOfFiveMetresThatGoesInBlocksSlidMoreThanOnce) {
+  const SectionResult r = simulate(five_metres(13e3), five_metre_settings(4));
+  EXPECT_GE(r.slides, 2);
+  EXPECT_LE(r.slides, 3);
 }
 
 TEST(Observe, AFrameIsInTheOrderOfSeeding) {
