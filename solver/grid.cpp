@@ -17,10 +17,15 @@ Grid make_grid(double h, double length, double height) {
   return grid;
 }
 
+void average_spans(Grid& grid) { grid.span.assign(grid.columns * grid.rows * 3, 0.0); }
+
 void clear(Grid& grid) {
   for (std::size_t i = 0; i < grid.columns; ++i) {
     double* column = grid.at(i, 0);
     std::fill(column, column + grid.top[i] * Grid::width, 0.0);
+    if (!grid.averages()) continue;
+    double* spans = &grid.span[grid.index(i, 0) * 3];
+    std::fill(spans, spans + grid.top[i] * 3, 0.0);
   }
 }
 

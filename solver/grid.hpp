@@ -19,7 +19,11 @@ struct Grid {
   std::vector<double> node;      ///< [columns][rows][width] and padding
   std::vector<double> velocity;  ///< [columns][rows][2] and padding, after the step
   std::vector<std::size_t> top;  ///< rows in use in each column, set when particles are sorted
+  /// Sums over the particles of a span, the square h x h that sees the same nine nodes, numbered
+  /// by its lowest node: [columns][rows][3] volume, pressure, dilation. Empty: nothing is averaged.
+  std::vector<double> span;
 
+  bool averages() const { return !span.empty(); }
   std::size_t index(std::size_t column, std::size_t row) const { return column * rows + row; }
   double* at(std::size_t column, std::size_t row) { return &node[index(column, row) * width]; }
 };
@@ -27,7 +31,11 @@ struct Grid {
 /// A grid over length x height (metres), whole cells, with room above.
 Grid make_grid(double h, double length, double height);
 
-/// Sets the nodes in use to zero.
+/// From here on dilation and pressure are averaged over each span (solver/README.md, "Nearly
+/// incompressible ground").
+void average_spans(Grid& grid);
+
+/// Sets the nodes and spans in use to zero.
 void clear(Grid& grid);
 
 }  // namespace leda::solver

@@ -10,6 +10,16 @@
 
 namespace leda::solver {
 
+/// Laws of rate and flow, one entry a row. The three rate laws are one formula, with
+/// r = max(least, rate / reference):
+/// factor = base + log_share ln r + power_share r^exponent.
+struct ViscousLaws {
+  std::vector<double> base, log_share, power_share, exponent, least, reference;
+  std::vector<double> consistency, flow_exponent;  ///< Pa s^n and n; consistency 0: does not flow
+
+  bool empty() const { return base.empty(); }
+};
+
 /// One entry a row in every array. A row stands for one material at one peak strength.
 struct LawTable {
   std::vector<double> bulk, shear;  ///< K, G, Pa
@@ -17,6 +27,7 @@ struct LawTable {
   std::vector<double> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
   std::vector<std::int32_t> softens;   ///< 0 or 1
   std::vector<std::int32_t> material;  ///< index in the section's materials, by name
+  ViscousLaws viscous;                 ///< empty where no material has such a law
   double stiffest_speed = 0;           ///< largest sqrt((K + 4/3 G) / rho), m/s
 
   std::size_t rows() const { return peak.size(); }
@@ -33,14 +44,19 @@ class LawTableBuilder {
 
  private:
   std::int32_t add(std::size_t material_index, double peak);
+  void add_viscous(const Material& material);
 
   double cell_m_;
+  bool viscous_ = false;
   std::vector<const Material*> materials_;
   std::vector<std::vector<std::int32_t>> rows_;  ///< [material][strength in 0.1 % steps], -1: none
   LawTable table_;
 };
 
-/// The same laws without their softening; without yield where `elastic`.
+/// Whether a law locks unless dilation is averaged: K / G above that of Poisson's ratio 0.46.
+bool nearly_incompressible(const LawTable& table);
+
+/// The same laws without softening, rate and flow; without yield where `elastic`.
 LawTable without_softening(const LawTable& table, bool elastic);
 
 }  // namespace leda::solver

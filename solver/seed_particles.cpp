@@ -100,6 +100,7 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
   for (std::size_t i = 0; i < n; ++i) p.id[i] = static_cast<std::int32_t>(i);
   p.fill_padding();
   seeded.laws = laws.table();
+  if (nearly_incompressible(seeded.laws)) average_spans(seeded.grid);
   return seeded;
 }
 

@@ -14,6 +14,8 @@ namespace leda::solver {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+constexpr std::size_t block = 64;  // particles whose scratch stays in the first-level cache
+
 /// Weights, their slopes (1/m) and distances (node minus particle, m) for the three nodes on each
 /// axis, and the lowest node of the first column.
 template <class D>
@@ -51,6 +53,19 @@ HWY_INLINE ParticleSpline<D> particle_spline(D d, const double* x, const double*
   s.node =
       hn::PromoteTo(hn::RebindToSigned<D>(), hn::DemoteTo(hn::Rebind<std::int32_t, D>(), node));
   return s;
+}
+
+/// Writes the weights of the three columns, the same times the distance and the slopes, one row
+/// of four a particle.
+template <class D>
+HWY_INLINE void store_columns(D d, const ParticleSpline<D>& at, double* wx, double* wxdx,
+                              double* slope) {
+  const auto lane4 = hn::ShiftLeft<2>(hn::Iota(hn::RebindToSigned<D>(), 0));
+  for (int j = 0; j < 3; ++j) {
+    hn::ScatterIndex(at.wx[j], d, wx + j, lane4);
+    hn::ScatterIndex(hn::Mul(at.wx[j], at.dx[j]), d, wxdx + j, lane4);
+    hn::ScatterIndex(at.slope_x[j], d, slope + j, lane4);
+  }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -3,6 +3,9 @@
 // 2015). Internal force and strain use the true gradients of the splines and are conjugate:
 // sum_i f_i . v_i = - sum_p V sigma : grad v. The cheaper gradient of MLS-MPM (Hu et al. 2018)
 // was tried and smears the shear bands: solver/README.md, "Choices".
+// Where the grid averages, dilation and the mean of the in-plane normal stresses enter as their
+// means over each span (B-bar, Hughes 1980), which leaves the pair conjugate: with spans s,
+// sum V p_s div v = sum V_s p_s (div v)_s = sum V p (div v)_s.
 
 #include "solver/grid.hpp"
 #include "solver/law_table.hpp"
@@ -23,7 +26,8 @@ struct ParticleSums {
 
 /// Takes velocity and its gradient from the grid, updates stress and plastic strain (Jaumann
 /// rate, 3D Tresca), and moves the particles where `move` is set.
-ParticleSums grid_to_particles(Particles& particles, const Grid& grid, const LawTable& laws,
-                               double dt, bool move);
+/// @pre where the grid averages: particles_to_grid was called on these positions
+ParticleSums grid_to_particles(Particles& particles, Grid& grid, const LawTable& laws, double dt,
+                               bool move);
 
 }  // namespace leda::solver

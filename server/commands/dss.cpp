@@ -24,6 +24,7 @@ struct DssOptions {
   std::optional<double> max_strain;
   std::string method = "bare-law";
   double vertical_stress_kPa = 0;
+  double rate_per_s = solver::standard_shear_rate;
   int particles_per_cell = 4;
   std::string out;
   std::string svg;
@@ -54,20 +55,26 @@ solver::DssCurve shear_law(const ElementCase& clay, const DssOptions& options) {
   const solver::SofteningCurve law = softening
                                          ? solver::softening_curve(*softening, clay.peak_Pa, cell)
                                          : solver::perfectly_plastic(clay.peak_Pa);
-  return solver::dss_of_bare_law({clay.material.shear_modulus_Pa, law, cell}, options.max_strain);
+  return solver::dss_of_bare_law({clay.material.shear_modulus_Pa,
+                                  solver::at_rate(law, clay.material, options.rate_per_s), cell},
+                                 options.max_strain);
 }
 
 solver::DssCurve shear(const ElementCase& clay, const DssOptions& options) {
   if (options.method == "bare-law") return shear_law(clay, options);
-  return solver::dss_of_particles(clay.material, clay.peak_Pa,
-                                  {cell_of(clay, options), options.particles_per_cell,
-                                   1000 * options.vertical_stress_kPa, options.max_strain});
+  return solver::dss_of_particles(
+      clay.material, clay.peak_Pa,
+      {cell_of(clay, options), options.particles_per_cell, 1000 * options.vertical_stress_kPa,
+       options.max_strain, options.rate_per_s});
 }
 
 /// What belongs to the other way of shearing would be taken and ignored: it is refused.
 std::vector<std::string> faults_of(const ElementCase& clay, const DssOptions& options,
                                    const CLI::App& command) {
   std::vector<std::string> faults;
+  if (command.count("--rate-per-s") > 0 && !clay.material.rate && !clay.material.flow) {
+    faults.push_back("--rate-per-s is for a material with a rate or a flow law");
+  }
   if (options.method == "bare-law") {
     for (const char* name : {"--vertical-stress-kPa", "--particles-per-cell"}) {
       if (command.count(name) > 0) {
@@ -169,6 +176,10 @@ void add_dss(CLI::App& app, int& exit_code) {
       ->add_option("--vertical-stress-kPa", options->vertical_stress_kPa,
                    "consolidation under this and k0 times it; default 0")
       ->check(CLI::Range(0.0, 1e5));
+  command
+      ->add_option("--rate-per-s", options->rate_per_s,
+                   "shear strain rate, 1/s; default 1.39e-5 (5 % in an hour)")
+      ->check(CLI::Range(1e-12, 1e6));
   command
       ->add_option("--particles-per-cell", options->particles_per_cell, "1, 4, 9 or 16; default 4")
       ->check(CLI::IsMember({1, 4, 9, 16}));

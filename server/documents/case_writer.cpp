@@ -1,5 +1,6 @@
 // A case back to its document: the counterpart of soil_reader.cpp.
 #include "server/documents/case_file.hpp"
+#include "server/documents/rate_names.hpp"
 #include "server/documents/settings_reader.hpp"
 #include "server/documents/softening_names.hpp"
 
@@ -32,6 +33,8 @@ json to_document(const Material& m) {
                       {"friction_angle_deg", m.drained->friction_angle_deg}};
   }
   if (m.softening) out["softening"] = leda::server::to_document(*m.softening);
+  if (m.rate) out["rate"] = leda::server::to_document(*m.rate);
+  if (m.flow) out["flow"] = leda::server::to_document(*m.flow);
   return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "server/documents/rate_names.hpp"
 #include "server/documents/softening_names.hpp"
 
 namespace leda::server {
@@ -119,6 +120,12 @@ Material read_material(const json& value, const std::string& at, ReadMaterials& 
   }
   if (const json* softening = reader.find("softening")) {
     m.softening = read_softening(*softening, reader.at("softening"), faults);
+  }
+  if (const json* rate = reader.find("rate")) {
+    m.rate = read_rate(*rate, reader.at("rate"), faults);
+  }
+  if (const json* flow = reader.find("flow")) {
+    m.flow = read_flow(*flow, reader.at("flow"), faults);
   }
   reader.refuse_unknown();
   return m;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/element_test/dissipation.hpp"
+#include "solver/materials/rate.hpp"
 
 namespace leda::solver {
 namespace {
@@ -75,6 +76,17 @@ void cut_at(std::vector<DssPoint>& points, double strain) {
 }
 
 }  // namespace
+
+SofteningCurve at_rate(const SofteningCurve& law, const Material& material, double rate) {
+  const double factor = material.rate ? strength_factor(*material.rate, rate) : 1.0;
+  const double viscous = material.flow ? flow_stress(*material.flow, 0, rate) : 0.0;
+  SofteningCurve moved = law;
+  moved.amplitude *= factor;
+  for (double* strength : {&moved.peak, &moved.floor, &moved.line_start, &moved.last}) {
+    *strength = factor * *strength + viscous;
+  }
+  return moved;
+}
 
 double default_max_strain(const SofteningCurve& c, double shear_modulus_Pa) {
   const double plastic = has_end(c) ? c.line_end : c.rate > 0 ? std::log(1e4) / c.rate : 0;

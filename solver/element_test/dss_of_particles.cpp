@@ -47,11 +47,11 @@ Particles specimen(const Material& material, const ParticleShear& test) {
   return p;
 }
 
-/// Unit rate of simple shear at every node: v_x = z, v_z = 0. A time is then a strain.
-void move_nodes(Grid& grid) {
+/// Simple shear at every node: v_x = rate z, v_z = 0.
+void move_nodes(Grid& grid, double rate) {
   for (std::size_t i = 0; i < grid.columns; ++i) {
     for (std::size_t k = 0; k < grid.rows; ++k) {
-      grid.velocity[2 * grid.index(i, k)] = (static_cast<double>(k) - 1) * grid.h;
+      grid.velocity[2 * grid.index(i, k)] = rate * (static_cast<double>(k) - 1) * grid.h;
     }
   }
 }
@@ -88,14 +88,14 @@ DssCurve dss_of_particles(const Material& material, double peak_Pa, const Partic
   Particles particles = specimen(material, test);
   Grid grid = make_grid(test.cell_m, 3 * test.cell_m, 3 * test.cell_m);
   if (!sort_particles(particles, grid)) throw std::logic_error("a specimen outside its grid");
-  move_nodes(grid);
+  move_nodes(grid, test.rate);
   DssCurve curve{.height_m = test.cell_m,
                  .points = {state(particles, 0)},
                  .snaps_back = steepest_loss(law) > material.shear_modulus_Pa};
   DssPoint now = curve.points.back();
   while (now.strain < end) {
     const double step = std::min(step_of(law, now.plastic_strain), end - now.strain);
-    grid_to_particles(particles, grid, laws, step, false);
+    grid_to_particles(particles, grid, laws, step / test.rate, false);
     now = state(particles, now.strain + step);
     if (end - now.strain < 1e-12 * end) now.strain = end;
     if (now.strain >= end || worth_keeping(now, curve.points.back(), peak_Pa)) {

@@ -7,10 +7,11 @@
 namespace leda::solver {
 
 struct ParticleShear {
-  double cell_m = 0;                 ///< height of the specimen: one cell
-  int particles_per_cell = 4;        ///< a square
-  double vertical_stress_Pa = 0;     ///< consolidated under this, horizontal k0 times it; > 0
-  std::optional<double> max_strain;  ///< as in dss_of_bare_law
+  double cell_m = 0;                  ///< height of the specimen: one cell
+  int particles_per_cell = 4;         ///< a square
+  double vertical_stress_Pa = 0;      ///< consolidated under this, horizontal k0 times it; > 0
+  std::optional<double> max_strain;   ///< as in dss_of_bare_law
+  double rate = standard_shear_rate;  ///< 1/s; matters where the material has a rate or flow law
 };
 
 /// Shears one cell of particles as the thesis does (4.4: an element as high as the specimen, the

@@ -11,6 +11,8 @@
 #include "hwy/contrib/math/math-inl.h"
 #include "hwy/highway.h"
 #include "solver/law_table.hpp"
+#include "solver/materials/law_rows-inl.hpp"
+#include "solver/materials/viscous-inl.hpp"
 #include "solver/particles.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,29 +25,6 @@ template <class V>
 struct PlaneStrain {
   V xx, zz, xz;
 };
-
-/// Reads one column of the law table: a broadcast where all lanes share the row.
-template <class D>
-struct LawRows {
-  D d;
-  hn::Vec<hn::RebindToSigned<D>> rows;
-  std::size_t first;
-  bool same;
-
-  HWY_INLINE hn::Vec<D> operator()(const std::vector<double>& column) const {
-    if (HWY_LIKELY(same)) return hn::Set(d, column[first]);
-    return hn::GatherIndex(d, column.data(), rows);
-  }
-};
-
-template <class D>
-HWY_INLINE LawRows<D> law_rows(D d, const std::int32_t* law) {
-  const auto rows =
-      hn::PromoteTo(hn::RebindToSigned<D>(), hn::LoadU(hn::Rebind<std::int32_t, D>(), law));
-  const auto first = hn::Set(hn::RebindToSigned<D>(), law[0]);
-  const bool same = hn::AllTrue(hn::RebindToSigned<D>(), hn::Eq(rows, first));
-  return {d, rows, static_cast<std::size_t>(law[0]), same};
-}
 
 /// s_u at the start of the step: the peak until the first yield, then the curve.
 template <class D>
@@ -97,12 +76,23 @@ HWY_INLINE TrescaReturn<D> tresca_return(D d, hn::Vec<D> high, hn::Vec<D> mid, h
   return r;
 }
 
-/// Stress and plastic strain of the particles i .. i+N after a strain increment and a rotation
-/// `spin` = w_xz dt, w = (dvx/dz - dvz/dx) / 2.
-/// @return work of the mid-step stress per volume, Pa
+/// Engineering shear strain sqrt(2 e':e') of a plane strain increment.
 template <class D>
+HWY_INLINE hn::Vec<D> shear_strain(D d, const PlaneStrain<hn::Vec<D>>& e) {
+  const auto mean = hn::Mul(hn::Set(d, 1.0 / 3.0), hn::Add(e.xx, e.zz));
+  const auto x = hn::Sub(e.xx, mean), z = hn::Sub(e.zz, mean);
+  const auto normal = hn::MulAdd(x, x, hn::MulAdd(z, z, hn::Mul(mean, mean)));
+  const auto square = hn::MulAdd(hn::Add(e.xz, e.xz), e.xz, normal);
+  return hn::Sqrt(hn::Add(square, square));
+}
+
+/// Stress and plastic strain of the particles i .. i+N after a strain increment and a rotation
+/// `spin` = w_xz dt, w = (dvx/dz - dvz/dx) / 2, in dt seconds. `Viscous`: laws.viscous is used.
+/// @return work of the mid-step stress per volume, Pa
+template <bool Viscous, class D>
 HWY_INLINE hn::Vec<D> update_stress(D d, Particles& p, std::size_t i, const LawTable& laws,
-                                    const PlaneStrain<hn::Vec<D>>& e, hn::Vec<D> spin) {
+                                    const PlaneStrain<hn::Vec<D>>& e, hn::Vec<D> spin,
+                                    hn::Vec<D> dt) {
   const auto row = law_rows(d, &p.law[i]);
   const auto g = row(laws.shear), bulk = row(laws.bulk);
   const auto g2 = hn::Add(g, g), half = hn::Set(d, 0.5);
@@ -117,13 +107,21 @@ HWY_INLINE hn::Vec<D> update_stress(D d, Particles& p, std::size_t i, const LawT
   auto yy = hn::Add(old_yy, pressure);
 
   const auto gamma = hn::LoadU(d, &p.plastic_strain[i]);
-  const auto s = strength_now(d, row, laws, gamma);
+  auto s = strength_now(d, row, laws, gamma);
+  if constexpr (Viscous) {
+    s = hn::Mul(s, rate_factor(d, row, laws.viscous, hn::Div(shear_strain(d, e), dt)));
+  }
   const auto centre = hn::Mul(half, hn::Add(xx, zz)), apart = hn::Mul(half, hn::Sub(xx, zz));
   const auto radius = hn::Sqrt(hn::MulAdd(apart, apart, hn::Mul(xz, xz)));
   const auto a = hn::Add(centre, radius), b = hn::Sub(centre, radius);
   const auto high = hn::Max(a, yy), low = hn::Min(b, yy);
   const auto yields = hn::Gt(hn::Sub(high, low), hn::Add(s, s));
   if (!hn::AllFalse(d, yields)) {
+    if constexpr (Viscous) {  // what is left beyond yield is the viscous stress of this step
+      const auto excess = hn::MulSub(half, hn::Sub(high, low), s);
+      const auto flowed = flow_strain(d, row, laws.viscous, excess, g, dt);
+      s = hn::IfThenElse(yields, hn::NegMulAdd(g, flowed, hn::Add(s, excess)), s);
+    }
     const auto yy_high = hn::Gt(yy, a), yy_low = hn::Lt(yy, b);
     const auto mid = hn::IfThenElse(yy_high, a, hn::IfThenElse(yy_low, b, yy));
     const auto r = tresca_return(d, high, mid, low, s, g);

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "solver/section/rate.hpp"
+
 namespace leda {
 
 /// A strength that is constant, or a table over depth below ground or over elevation (thesis 2.6).
@@ -62,10 +64,10 @@ struct LinearSoftening {
 /// Dey et al. 2015, thesis eq. 2-2: Einav-Randolph up to twice the shear displacement delta_95,
 /// then linear to a large-displacement strength s_uld at delta_ld, constant beyond.
 struct DeySoftening {
-  double remolded_strength_Pa = 0;          ///< s_uR of Dey et al.
-  double strain_95 = 0;                     ///< delta_95 over the shear band, fraction
-  double large_strain = 0;                  ///< delta_ld over the shear band, fraction
-  double large_strain_strength_Pa = 0;      ///< s_u(ld)
+  double remolded_strength_Pa = 0;      ///< s_uR of Dey et al.
+  double strain_95 = 0;                 ///< delta_95 over the shear band, fraction
+  double large_strain = 0;              ///< delta_ld over the shear band, fraction
+  double large_strain_strength_Pa = 0;  ///< s_u(ld)
 };
 
 using SofteningLaw = std::variant<UrmiSoftening, EinavRandolphSoftening, ExponentialSoftening,
@@ -91,6 +93,8 @@ struct Material {
   double k0 = 0.5;              ///< ratio of effective stresses
   std::optional<DrainedStrength> drained;
   std::optional<Softening> softening;  ///< absent: elastic, perfectly plastic
+  std::optional<RateLaw> rate;         ///< absent: strength does not depend on the rate of shear
+  std::optional<FlowLaw> flow;         ///< absent: no viscous stress beyond yield
 
   double youngs_modulus_Pa() const { return 2 * shear_modulus_Pa * (1 + poisson_ratio); }
 };

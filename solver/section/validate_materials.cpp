@@ -135,6 +135,45 @@ struct LawCheck {
   }
 };
 
+/// The bounds are those of the laws' sources, widened to what still makes sense.
+struct RateCheck {
+  std::string at;
+  FaultList& faults;
+
+  void reference(double rate) const { faults.positive(at + "/reference_rate_per_s", rate, "1/s"); }
+  void share(const std::string& key, double value, const std::string& source) const {
+    faults.within(at + key, value, value > 0 && value <= 1,
+                  "greater than 0 and at most 1 (" + source + ")");
+  }
+  void operator()(const SemiLogarithmicRate& law) const {
+    share("/per_decade", law.per_decade, "usually 0.05 to 0.2");
+    reference(law.reference_rate);
+  }
+  void operator()(const PowerRate& law) const {
+    share("/exponent", law.exponent, "usually 0.05 to 0.1");
+    reference(law.reference_rate);
+  }
+  void operator()(const AdditivePowerRate& law) const {
+    faults.positive(at + "/viscosity", law.viscosity, "");
+    share("/exponent", law.exponent, "usually 0.4 to 0.6");
+    reference(law.reference_rate);
+  }
+};
+
+struct FlowCheck {
+  std::string at;
+  FaultList& faults;
+
+  void operator()(const BinghamFlow& law) const {
+    faults.positive(at + "/viscosity_Pa_s", law.viscosity_Pa_s, "Pa s");
+  }
+  void operator()(const HerschelBulkleyFlow& law) const {
+    faults.positive(at + "/consistency_Pa_sn", law.consistency_Pa_sn, "Pa s^n");
+    faults.within(at + "/exponent", law.exponent, law.exponent >= 0.1 && law.exponent <= 3,
+                  "0.1 to 3");
+  }
+};
+
 void check_material(const Material& m, const std::string& at, FaultList& faults) {
   const double unit_weight = m.unit_weight / kilo;
   // The upper bound catches N/m3 given for kN/m3.
@@ -157,6 +196,8 @@ void check_material(const Material& m, const std::string& at, FaultList& faults)
     std::visit(LawCheck{softening, sound_peak_kPa(m.peak_strength), faults}, m.softening->law);
     faults.positive(softening + "/reference_size_m", m.softening->reference_size_m, "m");
   }
+  if (m.rate) std::visit(RateCheck{at + "/rate", faults}, *m.rate);
+  if (m.flow) std::visit(FlowCheck{at + "/flow", faults}, *m.flow);
 }
 
 }  // namespace

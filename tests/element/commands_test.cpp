@@ -4,7 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -122,15 +124,21 @@ TEST_F(Commands, WhatIsNotThereIsNamed) {
   EXPECT_EQ(leda("calibrate case.json --material crust --cell 1").code, 2);
 }
 
-// Rate and flow laws stand ready, but no run uses them: a case that asks for one is refused.
-TEST_F(Commands, ACaseThatAsksForARateLawIsRefused) {
+TEST_F(Commands, ARateLawRaisesTheCurveWithTheRate) {
   const Said made = leda(
-      "--version && sed 's/\"unit_weight_kN_m3\": 18/\"rate\": {\"law\": "
-      "\"power\"}, &/' case.json > rate.json");
+      "--version && sed 's/\"unit_weight_kN_m3\": 16/\"rate\": {\"law\": \"power\", "
+      "\"exponent\": 0.1, \"reference_rate_per_s\": 1e-5}, &/' case.json > rate.json");
   ASSERT_EQ(made.code, 0) << made.out;
-  const Said said = leda("dss rate.json --material clay");
-  EXPECT_EQ(said.code, 2);
-  EXPECT_NE(said.out.find("/materials/crust/rate"), std::string::npos) << said.out;
+  const Said slow = leda("dss rate.json --material clay --rate-per-s 1e-5 --json");
+  const Said fast = leda("dss rate.json --material clay --rate-per-s 1e-2 --json");
+  ASSERT_EQ(slow.code, 0) << slow.out;
+  ASSERT_EQ(fast.code, 0) << fast.out;
+  const auto largest = [](const Said& said) {
+    const json stress = json::parse(said.out).at("shear_stress_kPa");
+    return std::ranges::max(stress.get<std::vector<double>>());
+  };
+  EXPECT_NEAR(largest(fast) / largest(slow), std::pow(1000.0, 0.1), 0.001);
+  EXPECT_EQ(leda("dss case.json --material clay --rate-per-s 1").code, 2);
 }
 
 TEST_F(Commands, CalibrateGivesBothScalingsTwice) {

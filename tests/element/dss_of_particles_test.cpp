@@ -96,6 +96,31 @@ TEST(DssOfParticles, AnisotropicConsolidationYieldsEarlierAndJoinsTheLaw) {
   }
 }
 
+// Thesis eqs 2-5, 2-6, 2-8 (strength) and 2-7, 2-18 (flow) at a rate 1000 times the reference. The
+// bare law leaves the elastic share out of the rate, hence 2 % of the peak.
+TEST(DssOfParticles, FollowsRateAndFlowLaws) {
+  Material m = clay_of(test::table("published_beta.csv").front(), "beta_reference");
+  const double peak = 40500, rate = 0.014;
+  const auto check = [&](const char* name) {
+    const SofteningCurve law = at_rate(softening_curve(*m.softening, peak, 0.014), m, rate);
+    const DssCurve bare_law = dss_of_bare_law({m.shear_modulus_Pa, law, 0.014});
+    const DssCurve curve = dss_of_particles(m, peak, {0.014, 4, 0, {}, rate});
+    EXPECT_GT(law.peak, 1.02 * peak) << name;
+    EXPECT_LT(distance(curve, bare_law, peak), 0.02) << name;
+  };
+  m.rate = SemiLogarithmicRate{0.1, 1.4e-5};
+  check("semi-logarithmic");
+  m.rate = PowerRate{0.05, 1.4e-5};
+  check("power");
+  m.rate = AdditivePowerRate{0.1, 0.3, 1.4e-3};
+  check("additive power");
+  m.rate.reset();
+  m.flow = BinghamFlow{2e5};
+  check("Bingham");
+  m.flow = HerschelBulkleyFlow{2e4, 0.4};
+  check("Herschel-Bulkley");
+}
+
 TEST(DssOfParticles, ClayThatDoesNotSoftenKeepsItsPeak) {
   Material m = clay_of(test::table("published_beta.csv").front(), "beta_reference");
   m.softening.reset();

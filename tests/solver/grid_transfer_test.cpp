@@ -43,8 +43,7 @@ TEST(Transfer, KeepsAnAffineField) {
 }
 
 // sum_i f_i . v_i = - sum_p V sigma : grad v, for any stress and any grid velocity.
-TEST(Transfer, ForceAndGradientAreConjugate) {
-  Block b = block_in_the_middle();
+void expect_conjugate(Block b) {
   Particles& p = b.particles;
   for (std::size_t i = 0; i < p.padded(); ++i) {
     p.sxx[i] = 1e3 * std::sin(p.x[i]);
@@ -64,6 +63,41 @@ TEST(Transfer, ForceAndGradientAreConjugate) {
   const double dt = 1e-12;  // the stress of the step is the stress given
   const ParticleSums sums = grid_to_particles(p, b.grid, b.laws, dt, false);
   EXPECT_NEAR(sums.stress_work / dt, -power, 1e-6 * std::abs(power));
+}
+
+TEST(Transfer, ForceAndGradientAreConjugate) { expect_conjugate(block_in_the_middle()); }
+
+// B-bar (Hughes 1980) averages dilation; only with the pressure averaged alike no work is lost.
+TEST(Transfer, AveragedPressureAndDilationAreConjugate) {
+  Block b = block_in_the_middle();
+  for (std::size_t i = 0; i < b.particles.count; ++i) {  // particles of unequal size and place
+    b.particles.volume[i] *= 1 + 0.4 * std::sin(7 * static_cast<double>(i));
+    b.particles.x[i] += 0.1 * b.grid.h * std::sin(3 * static_cast<double>(i));
+  }
+  average_spans(b.grid);
+  expect_conjugate(b);
+}
+
+// A span strains as a whole: its particles change their pressure alike, by K times its mean
+// dilation, whatever each would have seen alone.
+TEST(Transfer, ParticlesOfASpanShareItsDilation) {
+  Block b(1, 6, 6, 2.5, 2.5, 1, 1, {1e6, 0.499, 1000, 1e30});
+  average_spans(b.grid);
+  clear(b.grid);
+  particles_to_grid(b.particles, b.grid);
+  for (std::size_t i = 0; i < b.grid.columns * b.grid.rows; ++i) {
+    b.grid.velocity[2 * i] = std::sin(static_cast<double>(i));
+    b.grid.velocity[2 * i + 1] = std::cos(2 * static_cast<double>(i));
+  }
+  grid_to_particles(b.particles, b.grid, b.laws, 1e-3, false);
+  const Particles& p = b.particles;
+  ASSERT_EQ(p.count, 4u);
+  const auto mean = [&](std::size_t i) { return (p.sxx[i] + p.szz[i] + p.syy[i]) / 3; };
+  EXPECT_GT(std::abs(mean(0)), 1);
+  for (std::size_t i = 1; i < p.count; ++i) {
+    EXPECT_NEAR(mean(i), mean(0), 1e-9 * std::abs(mean(0)));
+    EXPECT_GT(std::abs(p.sxx[i] - p.sxx[0]), 1);
+  }
 }
 
 TEST(Transfer, CarriesStressFreeParticlesAcrossSortsInAnyOrder) {

@@ -28,6 +28,25 @@ const BadCase corpus[] = {
      Schema::sees_it,
      R"([{"op": "add", "path": "/cells", "value": 1}])",
      {"/cells"}},
+    {"rate_and_flow_laws",
+     Schema::sees_it,
+     R"([{"op": "add", "path": "/materials/S1/rate", "value":
+           {"law": "power", "exponent": 1.5, "reference_rate_per_s": 0}},
+         {"op": "add", "path": "/materials/S1/flow", "value":
+           {"law": "herschel-bulkley", "consistency_Pa_sn": -1, "exponent": 4}},
+         {"op": "add", "path": "/materials/B1/rate", "value":
+           {"law": "semi-logarithmic", "per_decade": 0, "reference_rate_per_s": 1}},
+         {"op": "add", "path": "/materials/B1/flow", "value":
+           {"law": "bingham", "viscosity": 10}}])",
+     {"/materials/S1/rate/exponent", "/materials/S1/rate/reference_rate_per_s",
+      "/materials/S1/flow/consistency_Pa_sn", "/materials/S1/flow/exponent",
+      "/materials/B1/rate/per_decade", "/materials/B1/flow/viscosity_Pa_s",
+      "/materials/B1/flow/viscosity"}},
+    {"unknown_rate_and_flow_laws",
+     Schema::sees_it,
+     R"([{"op": "add", "path": "/materials/S1/rate", "value": {"law": "linear"}},
+         {"op": "add", "path": "/materials/S1/flow", "value": {"law": "newton"}}])",
+     {"/materials/S1/rate/law", "/materials/S1/flow/law"}},
     {"unknown_keys_inside",
      Schema::sees_it,
      R"([{"op": "add", "path": "/stop/max_time", "value": 1},
