@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   leda::server::add_fit(app, exit_code);
   leda::server::add_compare(app, exit_code);
   leda::server::add_study(app, exit_code);
+  leda::server::add_check(app, exit_code);
   leda::server::add_export(app, exit_code);
   try {
     app.parse(argc, argv);
