@@ -76,7 +76,7 @@ void add_stiffness(std::vector<ExtremeCase>& suite) {
   rock.shear_modulus_Pa *= 1000;
   floor.section.materials["rock"] = rock;
   floor.section.layers = {Layer{"clay", {}, 0.0, {}, {}}, Layer{"rock", {}, {}, {}, {}}};
-  // Thirty times the steps lose thirty times as often: the slide creeps at 0.1 m/s
+  // Not at rest in time: the slide creeps at 0.1 m/s
   // (solver/README.md, Stability).
   floor.promise.statuses.push_back(RunStatus::time_limit);
   ExtremeCase crust = new_case("stiffness-1000-above", "stiffness 1000:1, stiff crust above",
