@@ -15,12 +15,14 @@ const std::string columns =
     "started, finished, updated, raster_id FROM jobs ";
 
 // ?1 and ?2 are JSON lists, empty for any; ?3 and ?4 are times, empty for open. Times are compared
-// as times: a bound may come without milliseconds.
+// as times: a bound may come without milliseconds. ?5 and ?6 are durations in s, negative for any.
 const std::string filtered =
     "WHERE (?1 = '[]' OR process IN (SELECT value FROM json_each(?1))) "
     "AND (?2 = '[]' OR state IN (SELECT value FROM json_each(?2))) "
     "AND (?3 = '' OR julianday(created) >= julianday(?3)) "
-    "AND (?4 = '' OR julianday(created) <= julianday(?4)) ";
+    "AND (?4 = '' OR julianday(created) <= julianday(?4)) "
+    "AND (?5 < 0 OR (julianday(coalesce(finished, 'now')) - julianday(started)) * 86400 >= ?5) "
+    "AND (?6 < 0 OR (julianday(coalesce(finished, 'now')) - julianday(started)) * 86400 <= ?6) ";
 
 JobRecord job_from(Query& row) {
   return JobRecord{.id = row.text(),
@@ -88,9 +90,10 @@ std::vector<JobRecord> Store::jobs(const JobFilter& filter) const {
   return connection_->read([&] {
     std::vector<JobRecord> found;
     Query rows(*connection_,
-               columns + filtered + "ORDER BY sequence DESC LIMIT max(?5, 0) OFFSET ?6");
+               columns + filtered + "ORDER BY sequence DESC LIMIT max(?7, 0) OFFSET ?8");
     rows.with(to_json(filter.processes), state_words(filter.states), filter.created_from,
-              filter.created_to, filter.limit, filter.offset);
+              filter.created_to, filter.least_s.value_or(-1), filter.most_s.value_or(-1),
+              filter.limit, filter.offset);
     while (rows.next()) found.push_back(job_from(rows));
     return found;
   });
@@ -100,7 +103,7 @@ int Store::count_jobs(const JobFilter& filter) const {
   return connection_->read([&] {
     Query row(*connection_, "SELECT count(*) FROM jobs " + filtered);
     row.with(to_json(filter.processes), state_words(filter.states), filter.created_from,
-             filter.created_to);
+             filter.created_to, filter.least_s.value_or(-1), filter.most_s.value_or(-1));
     row.next();
     return row.small_integer();
   });

@@ -28,7 +28,7 @@ std::vector<std::string> Store::jobs_finished_before(const std::string& time) co
   return connection_->read([&] {
     Query rows(*connection_,
                "SELECT id FROM jobs WHERE state IN ('successful', 'failed', 'dismissed') "
-               "AND finished < ? ORDER BY sequence");
+               "AND finished <= ? ORDER BY sequence");
     rows.with(time);
     return texts(rows);
   });

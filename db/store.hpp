@@ -32,6 +32,7 @@ struct JobFilter {
   std::string created_from{}, created_to{};  ///< ISO 8601, empty: open
   int limit = 100;
   int offset = 0;
+  std::optional<double> least_s{}, most_s{};  ///< time since it was started, until it finished
 };
 
 /// A page of sections or zones: of one job, or over all jobs that succeeded and have a map.

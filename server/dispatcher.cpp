@@ -1,10 +1,9 @@
 #include "server/dispatcher.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 
 #include "server/documents/run_folder.hpp"
+#include "server/logging.hpp"
 #include "server/problem.hpp"
 #include "server/summary.hpp"
 
@@ -31,8 +30,13 @@ std::string new_run(const DataFolder& data, const std::string& job,
 
 }  // namespace
 
-Dispatcher::Dispatcher(const DataFolder& data, db::Store& store, MakeExecutor make_executor)
-    : data_(data), store_(store), make_executor_(std::move(make_executor)) {}
+Dispatcher::Dispatcher(const DataFolder& data, db::Store& store, MakeExecutor make_executor,
+                       RunWatch watch)
+    : data_(data),
+      store_(store),
+      make_executor_(std::move(make_executor)),
+      watch_(std::move(watch)),
+      last_turn_(std::chrono::steady_clock::now()) {}
 
 Dispatcher::~Dispatcher() {
   {
@@ -60,6 +64,10 @@ std::size_t Dispatcher::running() const {
   return runs_.size();
 }
 
+std::chrono::steady_clock::duration Dispatcher::since_last_turn() const {
+  return std::chrono::steady_clock::now() - last_turn_.load();
+}
+
 void Dispatcher::dismiss(const std::string& id) {
   const std::lock_guard lock(mutex_);
   std::erase(to_take_up_, id);
@@ -77,7 +85,7 @@ void Dispatcher::dismiss(const std::string& id) {
       store_.set_section_state(section.id, SectionState::dismissed, "the job was dismissed");
     }
   }
-  spdlog::info("job={} dismissed", id);
+  log_info(id, "dismissed");
 }
 
 void Dispatcher::work() {
@@ -87,8 +95,9 @@ void Dispatcher::work() {
     auto pause = between_turns;
     try {
       turn();
+      last_turn_ = std::chrono::steady_clock::now();
     } catch (const std::exception& error) {
-      spdlog::error("the dispatcher tries again: {}", error.what());
+      log_error("-", "dispatcher tries again reason={}", in_quotes(error.what()));
       pause = after_failure;
     }
     wake_.wait_for(lock, pause, [this] { return stop_ || !to_take_up_.empty(); });
@@ -133,14 +142,14 @@ void Dispatcher::take_up(const std::string& id) {
   } catch (const db::StoreError&) {
     throw;
   } catch (const std::exception& error) {
-    spdlog::error("job={} cannot be taken up: {}", id, error.what());
+    log_error(id, "cannot be taken up reason={}", in_quotes(error.what()));
     store_.set_job_state(id, JobState::failed,
                          std::string("the job could not be taken up: ") + error.what());
     return;
   }
   recover(job);
-  spdlog::info("job={} taken up: {} sections, {} to run", id, job.sections.size(),
-               count(job.sections, SectionState::waiting));
+  log_info(id, "taken up sections={} waiting={}", job.sections.size(),
+           count(job.sections, SectionState::waiting));
   jobs_[id] = std::move(job);
 }
 
@@ -193,7 +202,7 @@ void Dispatcher::start_run(OpenJob& job, std::size_t index) {
   runs_[run] = {id, index};
   ++job.running;
   executor_->submit({run, data_.run(run)});
-  spdlog::info("job={} section={} run={} started", id, section.name, run);
+  log_info(id, "run started section={} run={}", in_quotes(section.name), run);
 }
 
 /// Workers are asked to end; what has a result by then is taken in.

@@ -2,6 +2,8 @@
 // What runs next, and what becomes of a run that ended. The truth is in the store: after kill -9
 // at any moment a new dispatcher takes up everything unfinished, and counts nothing twice.
 
+#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
@@ -20,6 +22,12 @@
 
 namespace leda::server {
 
+/// What happens to runs, for whoever counts. Called from the dispatcher's thread.
+struct RunWatch {
+  std::function<void(const SectionResult&)> taken_in;
+  std::function<void(int)> restarted;  ///< how many runs
+};
+
 class Dispatcher {
  public:
   /// A run that crashes is tried this often in the life of one dispatcher.
@@ -28,7 +36,8 @@ class Dispatcher {
   using MakeExecutor = std::function<std::unique_ptr<Executor>()>;
 
   /// The executor is made, used and destroyed in the dispatcher's own thread.
-  Dispatcher(const DataFolder& data, db::Store& store, MakeExecutor make_executor);
+  Dispatcher(const DataFolder& data, db::Store& store, MakeExecutor make_executor,
+             RunWatch watch = {});
   /// Ends the runs that still go; a later dispatcher starts them anew.
   ~Dispatcher();
   Dispatcher(const Dispatcher&) = delete;
@@ -42,6 +51,8 @@ class Dispatcher {
   void dismiss(const std::string& job);
   /// Runs going on now.
   std::size_t running() const;
+  /// How long ago it last looked at its jobs without a failure.
+  std::chrono::steady_clock::duration since_last_turn() const;
 
  private:
   struct OpenJob {
@@ -74,6 +85,8 @@ class Dispatcher {
   const DataFolder& data_;
   db::Store& store_;
   MakeExecutor make_executor_;
+  RunWatch watch_;
+  std::atomic<std::chrono::steady_clock::time_point> last_turn_;
 
   mutable std::mutex mutex_;  ///< guards everything below
   std::condition_variable wake_;

@@ -1,9 +1,8 @@
 // What becomes of a run that ended, and of a job whose runs all did.
 
-#include <spdlog/spdlog.h>
-
 #include "server/dispatcher.hpp"
 #include "server/features.hpp"
+#include "server/logging.hpp"
 #include "server/summary.hpp"
 #include "server/take_in.hpp"
 
@@ -26,7 +25,8 @@ void Dispatcher::recover(OpenJob& job) {
     }
   }
   const int restarted = store_.requeue_running(job.record.id);
-  if (restarted > 0) spdlog::info("job={} runs to start anew: {}", job.record.id, restarted);
+  if (restarted > 0) log_info(job.record.id, "runs start anew runs={}", restarted);
+  if (restarted > 0 && watch_.restarted) watch_.restarted(restarted);
   for (auto& section : job.sections) {
     if (section.state == SectionState::running) section.state = SectionState::waiting;
   }
@@ -49,8 +49,9 @@ void Dispatcher::settle(const RunEnd& end) {
     if (const auto words = last_words(folder); !words.empty()) reason += ": " + words;
     const bool hopeless = end.how == RunEnd::How::over_limit || (by_itself && end.exit_code == 2);
     const bool again = !hopeless && ++crashes < most_tries;
-    spdlog::warn("job={} section={} run={} gave no result ({}): {}", job.record.id, section.name,
-                 end.run, again ? "it is tried again" : "given up", reason);
+    log_warning(job.record.id, "run gave no result section={} run={} again={} reason={}",
+                in_quotes(section.name), end.run, again, in_quotes(reason));
+    if (again && watch_.restarted) watch_.restarted(1);
     set_state(section, again ? SectionState::waiting : SectionState::failed, reason);
   }
   --job.running;
@@ -68,9 +69,13 @@ void Dispatcher::take_in(OpenJob& job, db::SectionRecord& section) {
   section.reason = result.reason;
   section.result = result;
   section.placed = placed;
-  spdlog::info("job={} section={} run={} {}: retrogression {:.1f} m, runout {:.1f} m, {:.1f} s",
-               job.record.id, section.name, section.run, to_string(result.status),
-               result.crest_to_crest_retrogression_m, result.runout_m, result.run_time_s);
+  if (watch_.taken_in) watch_.taken_in(result);
+  log_info(job.record.id,
+           "result section={} run={} status={} retrogression_m={:.1f} runout_m={:.1f} "
+           "run_time_s={:.1f} case_sha256={}",
+           in_quotes(section.name), section.run, to_string(result.status),
+           result.crest_to_crest_retrogression_m, result.runout_m, result.run_time_s,
+           result.case_sha256);
 }
 
 void Dispatcher::report_progress() {
@@ -119,7 +124,7 @@ void Dispatcher::finish(OpenJob& job) {
   }
   if (state == JobState::successful) store_.set_job_progress(id, 100, message);
   store_.set_job_state(id, state, message);
-  spdlog::info("job={} {}: {}", id, db::to_string(state), message);
+  log_info(id, "finished status={} message={}", db::to_string(state), in_quotes(message));
 }
 
 void Dispatcher::set_state(db::SectionRecord& section, SectionState state,

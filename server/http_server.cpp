@@ -1,47 +1,26 @@
 #include "server/http_server.hpp"
 
-#include <httplib.h>
-#include <spdlog/spdlog.h>
-
 #include <charconv>
-#include <fstream>
 #include <thread>
 
+#include "server/gate.hpp"
+#include "server/guarded_http.hpp"
+#include "server/logging.hpp"
 #include "server/problem.hpp"
 #include "server/routes.hpp"
+#include "server/send_answer.hpp"
 
 namespace leda::server {
 namespace {
 
-constexpr std::size_t most_body_bytes = std::size_t{4} << 30;  // a DEM; documents have their own
-constexpr std::size_t threads = 24 + Service::most_streams;
+constexpr std::size_t threads_beside_streams = 24;
 
 std::string path_of(const httplib::Request& request) {
   return request.target.substr(0, request.target.find('?'));
 }
 
-/// A page of another site must not steer a server that trusts its own machine.
-bool is_local_name(std::string host) {
-  if (const auto scheme = host.find("://"); scheme != std::string::npos) host.erase(0, scheme + 3);
-  if (host.starts_with("[")) return host.starts_with("[::1]");
-  host.erase(std::min(host.find(':'), host.size()));
-  return host == "127.0.0.1" || host == "localhost";
-}
-
-std::optional<Problem> refusal(const httplib::Request& request) {
-  if (request.has_header("Transfer-Encoding")) {
-    return Problem(Failure::length_required, "send the body with a Content-Length");
-  }
-  if (request.is_multipart_form_data()) {
-    return Problem(Failure::wrong_media_type, "send the document itself as the body, not a form");
-  }
-  for (const char* name : {"Host", "Origin"}) {
-    if (request.has_header(name) && !is_local_name(request.get_header_value(name))) {
-      return Problem(Failure::foreign_origin,
-                     std::string("the ") + name + " header names another machine");
-    }
-  }
-  return std::nullopt;
+HeaderOf headers_of(const httplib::Request& request) {
+  return [&request](const std::string& name) { return request.get_header_value(name.c_str()); };
 }
 
 Call call_of(const httplib::Request& request, const httplib::ContentReader* reader) {
@@ -49,7 +28,7 @@ Call call_of(const httplib::Request& request, const httplib::ContentReader* read
   call.method = request.method;
   call.path = request.path;
   call.query.insert(request.params.begin(), request.params.end());
-  call.header = [&request](const std::string& name) { return request.get_header_value(name); };
+  call.header = headers_of(request);
   const bool has_body =
       reader != nullptr && request.get_header_value<uint64_t>("Content-Length") > 0;
   call.body = [reader, has_body](const std::function<bool(const char*, std::size_t)>& receive) {
@@ -60,8 +39,30 @@ Call call_of(const httplib::Request& request, const httplib::ContentReader* read
   return call;
 }
 
-Answer answer_to(Service& service, Call& call, const std::string& target, std::string& route) {
+/// What the log and the metrics tell of a request.
+struct Told {
+  std::string route = "none";
+  std::string job = "-";
+  std::string holder = "-";
+};
+
+/// The job that a request is about: of its path, or the one it started.
+std::string job_in(const Route& route, const Call& call, const Answer& answer) {
+  if (route.path.starts_with("/jobs/{jobID}")) {
+    const bool sound = call.captured[0].find_first_not_of(
+                           "0123456789abcdefghijklmnopqrstuvwxyzTZ-") == std::string::npos;
+    return sound ? call.captured[0] : "-";
+  }
+  for (const auto& [name, value] : answer.headers) {
+    const auto at = value.find("/jobs/");
+    if (name == "Location" && at != std::string::npos) return value.substr(at + 6);
+  }
+  return "-";
+}
+
+Answer answer_to(Service& service, Call& call, const std::string& target, Told& told) {
   const RouteMatch match = find_route(routes(), call.method, target);
+  if (match.route == nullptr) require_role(Role::read, call.header, service.tokens);
   if (match.route == nullptr && match.other_methods.empty()) {
     throw Problem(Failure::no_such_resource, "there is nothing at " + call.path);
   }
@@ -76,80 +77,61 @@ Answer answer_to(Service& service, Call& call, const std::string& target, std::s
     answer.headers.emplace_back("Allow", allowed);
     return answer;
   }
-  route = match.route->path;
+  told.route = match.route->path;
   call.captured = match.captured;
+  told.holder = require_role(match.route->role, call.header, service.tokens).name;
   if (const auto unknown = unknown_parameters(*match.route, call); !unknown.empty()) {
     std::vector<Fault> faults;
     for (const auto& name : unknown) faults.push_back({"", "unknown query parameter: " + name});
     throw Problem(Failure::invalid_parameter, "known here: " + std::string(match.route->parameters),
                   faults);
   }
-  return match.route->handler(service, call);
+  told.job = job_in(*match.route, call, {});
+  Answer answer = match.route->handler(service, call);
+  if (told.job == "-") told.job = job_in(*match.route, call, answer);
+  return answer;
 }
 
-Answer safe_answer(Service& service, Call& call, const std::string& target, std::string& route) {
+Answer safe_answer(Service& service, Call& call, const std::string& target, Told& told) {
   try {
-    return answer_to(service, call, target, route);
+    return answer_to(service, call, target, told);
   } catch (const Problem& problem) {
     return to_answer(problem, call.path);
   } catch (const std::exception& error) {
     const std::string reference = random_hex(8);
-    spdlog::error("request {} failed ({} {}): {}", reference, call.method, route, error.what());
+    log_error(told.job, "request failed reference={} method={} route={} reason={}", reference,
+              call.method, told.route, in_quotes(error.what()));
     return to_answer(
         Problem(Failure::internal, "the server's log has the cause under " + reference), call.path);
   }
 }
 
-void send_file(const std::filesystem::path& name, const std::string& type,
-               httplib::Response& response) {
-  auto file = std::make_shared<std::ifstream>(name, std::ios::binary | std::ios::ate);
-  if (!*file) throw std::runtime_error("cannot read " + name.string());
-  response.set_content_provider(
-      static_cast<std::size_t>(file->tellg()), type,
-      [file](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-        std::vector<char> piece(std::min<std::size_t>(length, 1 << 16));
-        file->seekg(static_cast<std::streamoff>(offset));
-        file->read(piece.data(), static_cast<std::streamsize>(piece.size()));
-        const auto count = static_cast<std::size_t>(file->gcount());
-        return count > 0 && sink.write(piece.data(), count);
-      });
-}
-
-void send_stream(Service& service, const Answer& answer, httplib::Response& response) {
-  response.set_chunked_content_provider(
-      answer.type, [&service, next = answer.stream](std::size_t, httplib::DataSink& sink) {
-        if (service.stopping || !sink.is_writable()) return false;
-        const auto piece = next();
-        if (!piece) {
-          sink.done();
-          return true;
-        }
-        return piece->empty() || sink.write(piece->data(), piece->size());
-      });
-}
-
-void send(Service& service, const Answer& answer, httplib::Response& response) {
-  response.status = answer.status;
-  for (const auto& [name, value] : answer.headers) response.set_header(name, value);
-  response.set_header("X-Content-Type-Options", "nosniff");
-  if (answer.stream) {
-    send_stream(service, answer, response);
-  } else if (!answer.file.empty()) {
-    send_file(answer.file, answer.type, response);
-  } else {
-    response.set_content(answer.body, answer.type);
-  }
+/// Changes and failures are told; the rest only where somebody looks for it.
+void tell(Service& service, const httplib::Request& request, const Told& told, int status,
+          double seconds) {
+  service.metrics.count_request(request.method, told.route, status, seconds);
+  const bool matters = request.method != "GET" || status >= 500;
+  spdlog::log(matters ? spdlog::level::info : spdlog::level::debug,
+              "job={} request method={} route={} status={} ms={:.1f} holder={}", told.job,
+              request.method, told.route, status, 1000 * seconds, told.holder);
 }
 
 void handle(Service& service, const httplib::Request& request, httplib::Response& response,
             const httplib::ContentReader* reader) {
   const auto start = std::chrono::steady_clock::now();
+  bool body_left = request.get_header_value<uint64_t>("Content-Length") > 0;
   Call call = call_of(request, reader);
-  std::string route = "none";
-  const Answer answer = safe_answer(service, call, path_of(request), route);
+  call.body = [read = std::move(call.body), &body_left](const auto& receive) {
+    const bool whole = read(receive);
+    body_left = !whole;
+    return whole;
+  };
+  Told told;
+  const Answer answer = safe_answer(service, call, path_of(request), told);
   send(service, answer, response);
+  if (body_left) close_after_this_answer();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  service.metrics.count_request(request.method, route, answer.status, took.count());
+  tell(service, request, told, answer.status, took.count());
 }
 
 /// Problems that the library finds by itself get the same form as all others.
@@ -161,6 +143,23 @@ void fill_error(const httplib::Request& request, httplib::Response& response) {
   const Answer answer = to_answer(problem, request.path);
   response.status = answer.status;
   response.set_content(answer.body, answer.type);
+}
+
+/// Refuses before the body is read. The connection ends then: the body would be left in it.
+httplib::Server::HandlerResponse before_routing(const Service& service,
+                                                const httplib::Request& request,
+                                                httplib::Response& response) {
+  try {
+    refuse_at_the_gate(headers_of(request), service.tokens, service.url);
+    return httplib::Server::HandlerResponse::Unhandled;
+  } catch (const Problem& problem) {
+    const Answer answer = to_answer(problem, request.path);
+    response.status = answer.status;
+    for (const auto& [name, value] : answer.headers) response.set_header(name, value);
+    response.set_content(answer.body, answer.type);
+    close_after_this_answer();
+    return httplib::Server::HandlerResponse::Handled;
+  }
 }
 
 void set_up(httplib::Server& http, Service& service) {
@@ -179,19 +178,12 @@ void set_up(httplib::Server& http, Service& service) {
   http.Patch(everything, with_body);
   http.Delete(everything, plain);
   http.Delete(everything, with_body);
-  http.new_task_queue = [] { return new httplib::ThreadPool(threads); };
-  http.set_payload_max_length(most_body_bytes);
-  http.set_keep_alive_max_count(1000);
-  http.set_keep_alive_timeout(1);
+  http.set_payload_max_length(service.limits.raster_bytes);  // documents have a limit of their own
   http.set_tcp_nodelay(true);
-  http.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
-    const auto refused = refusal(request);
-    if (!refused) return httplib::Server::HandlerResponse::Unhandled;
-    const Answer answer = to_answer(*refused, request.path);
-    response.status = answer.status;
-    response.set_content(answer.body, answer.type);
-    return httplib::Server::HandlerResponse::Handled;
-  });
+  http.set_pre_routing_handler(
+      [&service](const httplib::Request& request, httplib::Response& response) {
+        return before_routing(service, request, response);
+      });
   http.set_error_handler([](const httplib::Request& request, httplib::Response& response) {
     fill_error(request, response);
   });
@@ -206,51 +198,63 @@ void set_up(httplib::Server& http, Service& service) {
 
 }  // namespace
 
-ListenAddress listen_address_from(const std::string& text) {
+ListenAddress listen_address_from(const std::string& text, bool with_tokens) {
   const auto colon = text.rfind(':');
   const std::string host = text.substr(0, colon);
   const std::string port = colon == std::string::npos ? "" : text.substr(colon + 1);
   ListenAddress address{host, -1};
   const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), address.port);
-  if (error != std::errc{} || end != port.data() + port.size() || address.port < 0 ||
-      address.port > 65535) {
+  if (host.empty() || error != std::errc{} || end != port.data() + port.size() ||
+      address.port < 0 || address.port > 65535) {
     throw ListenError("--listen " + text + ": give HOST:PORT, for example 127.0.0.1:8080");
   }
-  if (!is_local_name(host)) {
+  if (!with_tokens && !is_local_name(host)) {
     throw ListenError("--listen " + text +
-                      ": only 127.0.0.1, localhost and [::1] are served, since requests carry no "
-                      "token; put a proxy with a login in front for others");
+                      ": without tokens only 127.0.0.1, localhost and [::1] are served; name a "
+                      "file of tokens in LEDA_TOKENS for others (`leda token` makes one)");
   }
-  if (address.host == "[::1]") address.host = "::1";
+  if (host.starts_with('[') && host.ends_with(']')) {
+    address.host = host.substr(1, host.size() - 2);
+  }
   return address;
 }
 
 struct HttpServer::Running {
-  explicit Running(Service& of) : service(of) {}
+  explicit Running(Service& of) : service(of), http(of.limits, threads_of(of)) {}
+  static std::size_t threads_of(const Service& of) {
+    return threads_beside_streams + of.limits.streams;
+  }
   Service& service;
-  httplib::Server http;
+  GuardedHttp http;
   std::thread thread;
 };
 
 HttpServer::HttpServer(Service& service, const ListenAddress& address)
     : running_(std::make_unique<Running>(service)) {
-  set_up(running_->http, service);
+  GuardedHttp& http = running_->http;
+  set_up(http, service);
   int port = address.port;
-  const bool bound = port == 0 ? (port = running_->http.bind_to_any_port(address.host)) > 0
-                               : running_->http.bind_to_port(address.host, port);
-  const std::string shown = address.host == "::1" ? "[::1]" : address.host;
+  const bool bound = port == 0 ? (port = http.bind_to_any_port(address.host)) > 0
+                               : http.bind_to_port(address.host, port);
+  const bool is_v6 = address.host.find(':') != std::string::npos;
+  const std::string shown = is_v6 ? "[" + address.host + "]" : address.host;
   if (!bound) {
     throw ListenError("cannot listen on " + shown + ":" + std::to_string(address.port) +
                       ": is the port in use?");
   }
-  service.url = "http://" + shown + ":" + std::to_string(port);
-  running_->thread = std::thread([this] { running_->http.listen_after_bind(); });
+  http.lengthen_backlog();
+  service.url = service.public_url.empty() ? "http://" + shown + ":" + std::to_string(port)
+                                           : service.public_url;
+  service.connections = [&http] { return http.connections(); };
+  running_->thread = std::thread([&http] { http.listen_after_bind(); });
 }
 
 HttpServer::~HttpServer() {
   running_->service.stopping = true;
+  running_->http.end_soon();
   running_->http.stop();
   if (running_->thread.joinable()) running_->thread.join();
+  running_->service.connections = [] { return std::size_t{0}; };
 }
 
 }  // namespace leda::server

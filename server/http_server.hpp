@@ -19,9 +19,9 @@ struct ListenAddress {
   int port = 0;  ///< 0: any free one
 };
 
-/// From "127.0.0.1:8080". Only the loopback interface is served: others are refused.
+/// From "127.0.0.1:8080". Without tokens only the loopback interface is served.
 /// @throws ListenError saying what would be right
-ListenAddress listen_address_from(const std::string& text);
+ListenAddress listen_address_from(const std::string& text, bool with_tokens = false);
 
 class HttpServer {
  public:

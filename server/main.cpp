@@ -19,6 +19,9 @@ int main(int argc, char** argv) {
   leda::server::add_study(app, exit_code);
   leda::server::add_check(app, exit_code);
   leda::server::add_export(app, exit_code);
+  leda::server::add_backup(app, exit_code);
+  leda::server::add_purge(app, exit_code);
+  leda::server::add_token(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -12,6 +12,7 @@
 #include "profiles/zonation.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/screening_document.hpp"
+#include "server/limits.hpp"
 #include "server/problem.hpp"
 #include "server/request_pointers.hpp"
 #include "solver/screening/decide.hpp"
@@ -119,7 +120,6 @@ class Region final : public Work {
     // What no section escapes is a fault of the request; what some do is a reason to leave those
     // out and go on: real ground has banks that a soil or a trigger does not fit.
     if (!any_fits) refuse(of_laid);
-    if (request_.dry_run) leave_unsimulated(sections);
     return sections;
   }
 
@@ -128,6 +128,11 @@ class Region final : public Work {
   std::string case_file(const SectionRecord& section) const override {
     const auto built = profiles::build_section(profile_of(section), request_.soil);
     return to_document(CaseFile{built.section, request_.settings}).dump(2) + "\n";
+  }
+
+  RunSize size(const SectionRecord& section) const override {
+    const auto built = profiles::build_section(profile_of(section), request_.soil);
+    return run_size(built.section, request_.settings);
   }
 
   std::optional<Screened> screen(const SectionRecord& section) const override {
@@ -155,7 +160,9 @@ class Region final : public Work {
 
  private:
   std::vector<profiles::LaidSection> lay_out(const profiles::Dem& dem) const {
-    auto layout = profiles::lay_out_sections(request_.layout, dem);
+    profiles::LayoutLimits limits;
+    limits.most_sections = Limits{}.sections;
+    auto layout = profiles::lay_out_sections(request_.layout, dem, limits);
     for (auto& fault : layout.faults) fault.pointer = layout_pointer(document_, fault.pointer);
     if (!layout.faults.empty()) {
       throw Problem(Failure::invalid_request, "the sections cannot be laid out on the DEM",
@@ -186,14 +193,6 @@ class Region final : public Work {
     for (const auto& fault : faults) {
       if (!section.reason.empty()) section.reason += "; ";
       section.reason += fault.pointer + " " + fault.message;
-    }
-  }
-
-  static void leave_unsimulated(std::vector<SectionRecord>& sections) {
-    for (auto& section : sections) {
-      if (section.state != SectionState::waiting) continue;
-      section.state = SectionState::dismissed;
-      section.reason = "dry run: laid out and cut, not simulated";
     }
   }
 

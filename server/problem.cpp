@@ -29,10 +29,13 @@ constexpr std::array rows{
     Row{Failure::too_large, 413, "urn:leda:problem:too-large", "Content too large"},
     Row{Failure::wrong_media_type, 415, "urn:leda:problem:wrong-media-type",
         "Unsupported media type"},
+    Row{Failure::no_token, 401, "urn:leda:problem:no-token", "No valid token"},
+    Row{Failure::role_too_low, 403, "urn:leda:problem:role-too-low", "Role too low"},
     Row{Failure::foreign_origin, 403, "urn:leda:problem:foreign-origin", "Foreign origin"},
     Row{Failure::name_taken, 409, "urn:leda:problem:name-taken", "Name taken"},
     Row{Failure::wrong_state, 409, "urn:leda:problem:wrong-state", "Not possible in this state"},
     Row{Failure::key_reused, 422, "urn:leda:problem:key-reused", "Idempotency key reused"},
+    Row{Failure::queue_full, 429, "urn:leda:problem:queue-full", "Queue full"},
     Row{Failure::too_busy, 503, "urn:leda:problem:too-busy", "Too busy"},
     Row{Failure::job_failed, 500, "urn:leda:problem:job-failed", "Job failed"},
     Row{Failure::internal, 500, "urn:leda:problem:internal", "Internal error"},
@@ -64,6 +67,10 @@ Answer to_answer(const Problem& problem, const std::string& instance) {
   Answer answer = json_answer(document, row.status);
   answer.type = "application/problem+json";
   if (problem.failure == Failure::too_busy) answer.headers.emplace_back("Retry-After", "5");
+  if (problem.failure == Failure::queue_full) answer.headers.emplace_back("Retry-After", "30");
+  if (problem.failure == Failure::no_token) {
+    answer.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"leda\"");
+  }
   return answer;
 }
 

@@ -22,10 +22,13 @@ enum class Failure {
   length_required,
   too_large,
   wrong_media_type,
+  no_token,
+  role_too_low,
   foreign_origin,
   name_taken,
   wrong_state,
   key_reused,
+  queue_full,
   too_busy,
   job_failed,
   internal

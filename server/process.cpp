@@ -27,9 +27,47 @@ nlohmann::json description_of(PublishedSchema which) {
   return {{"inputs", described}, {"definitions", whole["definitions"]}};
 }
 
-nlohmann::json describe_region() { return description_of(PublishedSchema::region_request); }
-nlohmann::json describe_section() { return description_of(PublishedSchema::simulate_request); }
-nlohmann::json describe_study() { return description_of(PublishedSchema::study_request); }
+nlohmann::json output(const char* title, const char* type) {
+  return {{"title", title}, {"schema", {{"type", type}}}};
+}
+
+nlohmann::json zones_output(const char* title) {
+  nlohmann::json described = output(title, "object");
+  described["schema"]["format"] = "geojson-feature-collection";
+  return described;
+}
+
+nlohmann::json describe_region() {
+  auto document = description_of(PublishedSchema::region_request);
+  document["outputs"] = {{"sections", output("Retrogression, runout and cost a section", "array")},
+                         {"release_zones", zones_output("Ground that may slide")},
+                         {"runout_zones", zones_output("Ground that debris may reach")}};
+  return document;
+}
+
+nlohmann::json describe_section() {
+  auto document = description_of(PublishedSchema::simulate_request);
+  document["outputs"] = {{"sections", output("Retrogression, runout and cost", "array")}};
+  return document;
+}
+
+nlohmann::json describe_study() {
+  auto document = description_of(PublishedSchema::study_request);
+  document["outputs"] = {
+      {"name", output("Name of the study", "string")},
+      {"section", output("Name of the section", "string")},
+      {"date", output("When it ended", "string")},
+      {"machine", output("Where it ran", "string")},
+      {"wanted_error", output("Fraction", "number")},
+      {"reference", output("What the errors are relative to", "object")},
+      {"seed_spread", output("Scatter between seeds", "object")},
+      {"setting_scatter", output("Scatter between settings", "object")},
+      {"settings", output("Error and cost of every setting", "array")},
+      {"runs", output("Every run", "array")},
+      {"fastest_within_wanted_error", output("The cheapest setting that is good enough", "object")},
+      {"outcome", output("The same in words", "array")}};
+  return document;
+}
 
 constexpr std::array table{
     Process{"map-region", "Map the hazard of a region",

@@ -11,6 +11,7 @@
 
 #include "db/store.hpp"
 #include "server/data_folder.hpp"
+#include "server/run_size.hpp"
 
 namespace leda::server {
 
@@ -37,6 +38,9 @@ class Work {
   };
   virtual std::optional<Screened> screen(const db::SectionRecord&) const { return {}; }
 
+  /// What the run of a section will take.
+  virtual RunSize size(const db::SectionRecord& section) const = 0;
+
   virtual PlacedResult place(const db::SectionRecord& section,
                              const SectionResult& result) const = 0;
 
@@ -58,8 +62,8 @@ struct Process {
   /// Understands the execute request as sent.
   /// @throws Problem invalid_request with every fault
   std::unique_ptr<Work> (*open)(const std::string& request, const Library& library);
-  /// "inputs" by name, as OGC API - Processes describes them, and the "definitions" that their
-  /// schemas refer to.
+  /// "inputs" and "outputs" by name, as OGC API - Processes describes them, and the "definitions"
+  /// that the schemas of the inputs refer to.
   nlohmann::json (*describe)();
   /// What the results of a finished job are, as "json", "csv" or "svg"; nullptr: its sections and
   /// zones, as JSON alone.

@@ -76,14 +76,17 @@ bool is_raster_name(const std::string& name) {
   });
 }
 
+void refuse_bad_raster_name(const std::string& name) {
+  if (is_raster_name(name)) return;
+  throw Problem(Failure::invalid_parameter,
+                "name: give 1 to 100 letters, digits, blanks and - _ . ( ) ', not starting with "
+                "dem-");
+}
+
 db::RasterRecord register_raster(const DataFolder& data, db::Store& store,
                                  const std::filesystem::path& file, const std::string& name,
                                  const profiles::DemOptions& options) {
-  if (!is_raster_name(name)) {
-    throw Problem(Failure::invalid_parameter,
-                  "name: give 1 to 100 letters, digits, blanks and - _ . ( ) ', not starting "
-                  "with dem-");
-  }
+  refuse_bad_raster_name(name);
   const Checked checked = check(data, file, options);
   const auto by_id = store.raster(checked.record.id);
   if (by_id && by_id->name == name) return *by_id;

@@ -24,5 +24,7 @@ db::RasterRecord register_file(const DataFolder& data, db::Store& store,
 
 /// Letters, digits, blanks and - _ . ( ) from any script; never something that reads like a path.
 bool is_raster_name(const std::string& name);
+/// @throws Problem where it is none
+void refuse_bad_raster_name(const std::string& name);
 
 }  // namespace leda::server

@@ -71,8 +71,11 @@ profiles::RegionLayers region_layers(const db::Store& store, const db::JobRecord
   if (layers.epsg == 0) {
     throw Problem(Failure::wrong_state, "job " + job.id + " has no map: it is a " + job.process);
   }
+  const std::string dem = " dem " + store.raster(job.raster)->sha256;
   for (const auto& section : store.sections(job.id)) {
     layers.sections.push_back(section_feature(section));
+    auto& made_by = layers.sections.back().made_by;
+    if (!made_by.empty()) made_by = "case " + made_by + dem;
   }
   for (const auto& zone : store.zones(job.id)) layers.zones.push_back(zone.zone);
   return layers;

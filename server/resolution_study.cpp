@@ -49,6 +49,12 @@ class ResolutionStudy final : public Work {
     return to_document(case_of(asked_, resolutions_.at(index))).dump(2) + "\n";
   }
 
+  RunSize size(const db::SectionRecord& section) const override {
+    const auto index = static_cast<std::size_t>(section.ordinal);
+    const CaseFile run = case_of(asked_, resolutions_.at(index));
+    return run_size(run.section, run.settings);
+  }
+
   /// A section without a trace has no place on the map.
   PlacedResult place(const db::SectionRecord& section, const SectionResult& result) const override {
     PlacedResult placed;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/answer.hpp"
+#include "server/auth.hpp"
 
 namespace leda::server {
 
@@ -20,6 +21,9 @@ struct Route {
   std::string_view summary;  ///< one line, for /api
   /// Query parameters that the route knows, separated by blanks; any other is refused.
   std::string_view parameters = "";
+  /// What a success holds, for /api: names of schema/api.json and media types, with blanks between.
+  std::string_view answer = "";
+  Role role = Role::read;
 };
 
 struct RouteMatch {

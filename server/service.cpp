@@ -1,10 +1,13 @@
 #include "server/service.hpp"
 
-#include <spdlog/spdlog.h>
+#include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
+#include "server/documents/execute_options.hpp"
+#include "server/dry_run.hpp"
 #include "server/features.hpp"
+#include "server/logging.hpp"
 #include "server/problem.hpp"
 
 namespace leda::server {
@@ -33,6 +36,45 @@ bool is_finished(db::JobState state) {
   return state != db::JobState::accepted && state != db::JobState::running;
 }
 
+void refuse_unknown_outputs(const Process& process, const std::string& request) {
+  const auto described = process.describe();
+  const auto& known = described.at("outputs");
+  std::vector<Fault> faults;
+  for (const auto& name : execute_options_of(request).outputs) {
+    if (known.contains(name)) continue;
+    faults.push_back(
+        {"/outputs/" + pointer_part(name), "is not an output of " + std::string(process.id) +
+                                               ": see GET /processes/" + std::string(process.id)});
+  }
+  if (!faults.empty()) {
+    throw Problem(Failure::invalid_request, "the request cannot be understood", faults);
+  }
+}
+
+std::unique_ptr<Work> opened(const Service& service, const Process& process,
+                             const std::string& request) {
+  auto work = process.open(request, {service.data, service.store});
+  refuse_unknown_outputs(process, request);
+  return work;
+}
+
+void refuse_too_large(const Service& service, const Work& work,
+                      const std::vector<db::SectionRecord>& sections) {
+  if (sections.size() > service.limits.sections) {
+    throw Problem(Failure::invalid_request,
+                  fmt::format("the job has {} sections, more than {}: split it", sections.size(),
+                              service.limits.sections));
+  }
+  const double particles = particles_of(work, sections);
+  if (particles > service.limits.particles) {
+    throw Problem(Failure::invalid_request,
+                  fmt::format("the job has about {:.3g} particles, more than {:.3g}: take larger "
+                              "cells, fewer sections, or split it",
+                              particles, service.limits.particles),
+                  {{"/inputs/resolution/cell_m", "makes too many particles for one job"}});
+  }
+}
+
 std::optional<Submitted> stored_reply(const db::Store& store, const Process& process,
                                       const std::string& request, const std::string& key) {
   if (key.empty()) return std::nullopt;
@@ -48,10 +90,19 @@ std::optional<Submitted> stored_reply(const db::Store& store, const Process& pro
 }  // namespace
 
 Service::Service(const std::filesystem::path& data_folder, const ServiceOptions& options)
-    : data(data_folder), lock(data), store(data.store()), dispatcher(data, store, [options] {
-        return std::make_unique<LocalExecutor>(options.program, options.workers,
-                                               options.run_limits);
-      }) {
+    : limits(options.limits),
+      tokens(options.tokens),
+      public_url(options.public_url),
+      data(data_folder),
+      lock(data),
+      store(data.store()),
+      dispatcher(data, store,
+                 [options] {
+                   return std::make_unique<LocalExecutor>(options.program, options.workers,
+                                                          options.run_limits);
+                 },
+                 {[this](const SectionResult& result) { metrics.count_run(result); },
+                  [this](int runs) { metrics.count_restarts(runs); }}) {
   // Jobs of an older Leda, and one whose server was killed between two lines of submit().
   for (const auto& id : store.jobs_without_boxes()) keep_boxes(store, store.job(id).value());
   dispatcher.start();
@@ -60,11 +111,14 @@ Service::Service(const std::filesystem::path& data_folder, const ServiceOptions&
 Submitted submit(Service& service, const Process& process, const std::string& request,
                  const std::string& key) {
   if (auto stood = stored_reply(service.store, process, request, key)) return *stood;
-  if (service.store.unfinished_jobs().size() >= Service::most_unfinished_jobs) {
-    throw Problem(Failure::too_busy, "too many jobs are unfinished: try again later");
+  db::JobFilter unfinished;
+  unfinished.states = {db::JobState::accepted, db::JobState::running};
+  if (service.store.count_jobs(unfinished) >= static_cast<int>(service.limits.unfinished_jobs)) {
+    throw Problem(Failure::queue_full, "too many jobs are unfinished: try again later");
   }
-  const auto work = process.open(request, {service.data, service.store});
+  const auto work = opened(service, process, request);
   const auto sections = work->plan();
+  refuse_too_large(service, *work, sections);
 
   const std::lock_guard one_at_a_time(service.submitting);
   if (auto stood = stored_reply(service.store, process, request, key)) return *stood;
@@ -81,8 +135,13 @@ Submitted submit(Service& service, const Process& process, const std::string& re
   service.store.set_sections(job.id, sections);
   keep_boxes(service.store, job);
   service.dispatcher.add(job.id);
-  spdlog::info("job={} accepted: {} with {} sections", job.id, process.id, sections.size());
+  log_info(job.id, "accepted process={} sections={} name={}", process.id, sections.size(),
+           in_quotes(job.name));
   return {job, false};
+}
+
+nlohmann::json dry_run(const Service& service, const Process& process, const std::string& request) {
+  return dry_run(process, *opened(service, process, request), service.store);
 }
 
 db::JobRecord retry(Service& service, const std::string& id) {
@@ -102,7 +161,7 @@ db::JobRecord retry(Service& service, const std::string& id) {
   if (!any) throw Problem(Failure::wrong_state, "no section of job " + id + " failed");
   service.store.set_job_state(id, db::JobState::accepted, "retried");
   service.dispatcher.add(id);
-  spdlog::info("job={} retried", id);
+  log_info(id, "retried");
   return job_or_problem(service.store, id);
 }
 

@@ -4,12 +4,16 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <mutex>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "db/store.hpp"
+#include "server/auth.hpp"
 #include "server/data_folder.hpp"
 #include "server/dispatcher.hpp"
+#include "server/limits.hpp"
 #include "server/local_executor.hpp"
 #include "server/metrics.hpp"
 #include "server/process.hpp"
@@ -20,6 +24,9 @@ struct ServiceOptions {
   std::size_t workers = 1;
   RunLimits run_limits;
   std::filesystem::path program = own_program();  ///< of the workers
+  Limits limits;
+  Tokens tokens;           ///< none: only for the loopback interface
+  std::string public_url;  ///< how clients reach it, behind a proxy; empty: as it listens
 };
 
 struct Service {
@@ -27,16 +34,18 @@ struct Service {
   /// @throws DataFolderError, db::StoreError
   Service(const std::filesystem::path& data_folder, const ServiceOptions& options);
 
-  static constexpr int most_unfinished_jobs = 200;
-  static constexpr int most_streams = 16;
-
+  const Limits limits;
+  const Tokens tokens;
+  const std::string public_url;
   DataFolder data;
   RunnerLock lock;
   db::Store store;
   Metrics metrics;
-  std::mutex submitting;        ///< one job is added at a time, so that a key is used once
-  std::atomic<int> streams{0};  ///< of events, open now
+  std::mutex submitting;              ///< one job is added at a time, so that a key is used once
+  std::atomic<int> streams{0};        ///< of events, open now
+  std::atomic<int> registrations{0};  ///< of DEMs, going on now
   std::atomic<bool> stopping{false};
+  std::function<std::size_t()> connections = [] { return std::size_t{0}; };  ///< open now
   std::string url;        ///< "http://127.0.0.1:8080", where it is served
   Dispatcher dispatcher;  ///< last: it uses all the others
 };
@@ -54,6 +63,10 @@ struct Submitted {
 /// @throws Problem
 Submitted submit(Service& service, const Process& process, const std::string& request,
                  const std::string& key);
+
+/// What submit() would do: the sections and an estimate of their cost. Changes nothing.
+/// @throws Problem
+nlohmann::json dry_run(const Service& service, const Process& process, const std::string& request);
 
 /// Puts the failed sections of a finished job back in line. @throws Problem
 db::JobRecord retry(Service& service, const std::string& job);

@@ -34,6 +34,10 @@ class OneSection final : public Work {
     return to_document(case_).dump(2) + "\n";
   }
 
+  RunSize size(const db::SectionRecord&) const override {
+    return run_size(case_.section, case_.settings);
+  }
+
   /// A section without a trace has no place on the map.
   PlacedResult place(const db::SectionRecord& section, const SectionResult& result) const override {
     PlacedResult placed;

@@ -17,5 +17,8 @@ void add_calibrate(CLI::App& app, int& exit_code);
 void add_fit(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
+void add_backup(CLI::App& app, int& exit_code);
+void add_purge(CLI::App& app, int& exit_code);
+void add_token(CLI::App& app, int& exit_code);
 
 }  // namespace leda::server

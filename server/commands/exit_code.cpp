@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "server/auth.hpp"
 #include "server/http_server.hpp"
 #include "server/problem.hpp"
 
@@ -19,6 +20,9 @@ int guarded(const std::function<int()>& command) {
     }
     return status_of(problem.failure) < 500 ? 2 : 1;
   } catch (const ListenError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return 2;
+  } catch (const TokenFileError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return 2;
   } catch (const std::exception& error) {

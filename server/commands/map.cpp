@@ -7,6 +7,7 @@
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
 #include "server/commands/run_options.hpp"
+#include "server/documents/execute_options.hpp"
 #include "server/documents/region_request.hpp"
 #include "server/handlers/section_document.hpp"
 #include "server/logging.hpp"
@@ -72,6 +73,10 @@ int map_region(const Options& options) {
   set_up_logging(true);
   Service service(options.data, service_options(options.workers));
   const std::string request = with_registered_dem(service, read_whole(options.request));
+  if (execute_options_of(request).dry_run) {
+    fmt::print("{}\n", dry_run(service, *find_process("map-region"), request).dump(2));
+    return 0;
+  }
   const auto submitted = submit(service, *find_process("map-region"), request, "");
   const auto job = follow(service, submitted.job.id, options.json);
   const auto sections = service.store.sections(job.id);

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -20,8 +19,35 @@ namespace {
 struct Options {
   std::filesystem::path data;
   std::string listen = "127.0.0.1:8080";
+  std::string public_url;
+  std::filesystem::path tokens;
   WorkerOptions workers;
+  Limits limits;
 };
+
+/// Links in answers have to lead back to the server.
+void refuse_unreachable(const Options& options, const ListenAddress& address) {
+  const bool any_address = address.host == "0.0.0.0" || address.host == "::";
+  if (any_address && options.public_url.empty()) {
+    throw ListenError("--listen " + options.listen +
+                      ": every address of this machine; say with --public-url how it is reached");
+  }
+  const std::string& url = options.public_url;
+  const bool sound = url.empty() || ((url.starts_with("http://") || url.starts_with("https://")) &&
+                                     !url.ends_with('/') &&
+                                     url.find_first_of(" \"<>\\\r\n?#") == std::string::npos);
+  if (!sound) {
+    throw ListenError("--public-url " + url + ": give http(s)://HOST, without a slash at the end");
+  }
+}
+
+ServiceOptions options_of(const Options& options) {
+  ServiceOptions service = service_options(options.workers);
+  service.limits = options.limits;
+  service.public_url = options.public_url;
+  if (!options.tokens.empty()) service.tokens = Tokens(options.tokens);
+  return service;
+}
 
 /// Blocked before any thread starts, so that only wait() hears them.
 class EndSignals {
@@ -54,17 +80,20 @@ void cut_off_after(std::chrono::milliseconds patience) {
 
 int serve(const Options& options) {
   set_up_logging(false);
-  const auto address = listen_address_from(options.listen);
+  const ServiceOptions wanted = options_of(options);
+  const auto address = listen_address_from(options.listen, wanted.tokens.required());
+  refuse_unreachable(options, address);
   const EndSignals end;
-  Service service(options.data, service_options(options.workers));
+  Service service(options.data, wanted);
   {
     const HttpServer http(service, address);
     const nlohmann::json where = {{"url", service.url}, {"pid", getpid()}};
     write_whole(service.data.server_file(), where.dump(2) + "\n");
     fmt::print("leda serves {}\n", service.url);
     std::fflush(stdout);
+    log_info("-", "serves url={} tokens={}", service.url, wanted.tokens.required());
     const int heard = end.wait();
-    spdlog::info("ends at signal {}", heard);
+    log_info("-", "ends signal={}", heard);
     cut_off_after(std::chrono::milliseconds(4500));
     std::error_code ignored;
     std::filesystem::remove(service.data.server_file(), ignored);
@@ -79,6 +108,29 @@ void add_serve(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("serve", "Serve HTTP and run jobs");
   command->add_option("--data", options->data, "data folder")->required();
   command->add_option("--listen", options->listen, "HOST:PORT; port 0: any free one")
+      ->capture_default_str();
+  command->add_option("--public-url", options->public_url,
+                      "how clients reach the server, where that is not --listen (a proxy)");
+  command->add_option("--tokens", options->tokens, "file of hashed tokens; see leda token")
+      ->envname("LEDA_TOKENS");
+  Limits& limits = options->limits;
+  command->add_option("--most-connections", limits.connections, "at once; more get 503")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  command->add_option("--most-streams", limits.streams, "of events, open at once")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--most-raster-bytes", limits.raster_bytes, "of a DEM's file")
+      ->check(CLI::Range(std::uint64_t{1} << 10, std::uint64_t{1} << 40))
+      ->capture_default_str();
+  command->add_option("--most-jobs", limits.unfinished_jobs, "unfinished; more get 429")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--most-sections", limits.sections, "of a job")
+      ->check(CLI::Range(1, 20'000))
+      ->capture_default_str();
+  command->add_option("--most-particles", limits.particles, "of all runs of a job together")
+      ->check(CLI::Range(1.0, 1e15))
       ->capture_default_str();
   add_worker_options(*command, options->workers);
   command->callback(

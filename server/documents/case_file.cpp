@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "server/documents/execute_options.hpp"
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/object_reader.hpp"
 #include "server/documents/published_schema.hpp"
@@ -85,6 +86,7 @@ Parsed<CaseFile> parse_simulate_request(std::string_view text) {
     }
     reader.refuse_unknown();
   }
+  read_execute_options(body, list);
   body.refuse_unknown();
   for (Fault& fault : list.take()) result.faults.push_back(std::move(fault));
   if (!result.faults.empty()) result.value.reset();

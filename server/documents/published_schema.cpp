@@ -7,6 +7,7 @@
 #include <valijson/validator.hpp>
 
 #include "server/documents/embedded_schemas.hpp"
+#include "server/documents/execute_options.hpp"
 #include "solver/section/fault_list.hpp"
 
 namespace leda::server {
@@ -50,6 +51,12 @@ json study_schema() {
   return schema;
 }
 
+/// With what a request may say beside its inputs.
+json with_options(json request) {
+  request["properties"].update(execute_options_schema());
+  return request;
+}
+
 struct Published {
   explicit Published(json document) : text(std::move(document)) {
     valijson::SchemaParser parser;
@@ -61,9 +68,9 @@ struct Published {
 
 const Published& published(PublishedSchema which) {
   static const Published case_file(with_definitions(case_schema_text));
-  static const Published region(with_definitions(region_schema_text));
-  static const Published simulate(simulate_schema());
-  static const Published study(study_schema());
+  static const Published region(with_options(with_definitions(region_schema_text)));
+  static const Published simulate(with_options(simulate_schema()));
+  static const Published study(with_options(study_schema()));
   switch (which) {
     case PublishedSchema::case_file:
       return case_file;

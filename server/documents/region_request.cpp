@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/documents/execute_options.hpp"
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/published_schema.hpp"
 #include "server/documents/region_readers.hpp"
@@ -58,7 +59,7 @@ RegionRequest read_inputs(ObjectReader& reader, DemNaming naming, const RegionLi
     request.skip_stable = screening.boolean_or("skip_stable", true);
     screening.refuse_unknown();
   }
-  request.dry_run = reader.boolean_or("dry_run", false);
+  reader.boolean_or("dryRun", false);  // see execute_options_of
   reader.refuse_unknown();
   for (Fault& fault : validate_settings(request.settings)) {
     meaning.push_back({"/inputs" + fault.pointer, std::move(fault.message)});
@@ -80,6 +81,7 @@ Parsed<RegionRequest> parse_region_request(std::string_view text, DemNaming nami
     ObjectReader reader(*inputs, "/inputs", list);
     request = read_inputs(reader, naming, limits, meaning, list);
   }
+  read_execute_options(body, list);
   body.refuse_unknown();
   std::vector<Fault> faults = list.take();
   add_new_faults(faults, std::move(meaning));

@@ -19,7 +19,6 @@ struct RegionRequest {
   std::vector<SoilModel> soil;  ///< at least one
   RunSettings settings;         ///< trigger: always undrained
   bool skip_stable = true;      ///< sections that screening calls stable are not simulated
-  bool dry_run = false;         ///< lay out, cut and screen only
 };
 
 struct RegionLimits {

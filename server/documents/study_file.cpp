@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "server/documents/execute_options.hpp"
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/object_reader.hpp"
 #include "server/documents/published_schema.hpp"
@@ -264,6 +265,7 @@ Parsed<StudyFile> parse_study_request(std::string_view text) {
   if (const json* inputs = body.require("inputs")) {
     result = read_study(*inputs, "/inputs", nullptr);
   }
+  read_execute_options(body, list);
   body.refuse_unknown();
   for (Fault& fault : list.take()) result.faults.push_back(std::move(fault));
   if (!result.faults.empty()) result.value.reset();

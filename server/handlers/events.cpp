@@ -29,8 +29,9 @@ bool is_finished(db::JobState state) {
   return state != db::JobState::accepted && state != db::JobState::running;
 }
 
-/// Follows a job. The id of an event is the time the job was updated, so a client that comes back
-/// with Last-Event-ID hears only what is new.
+/// Follows a job. The id of an event is the time the job was updated and its status (two updates
+/// may fall into one millisecond), so a client that comes back with Last-Event-ID hears only what
+/// is new.
 struct Follower {
   Service& service;
   std::string job;
@@ -44,8 +45,9 @@ struct Follower {
     if (!record) return std::nullopt;
     done = is_finished(record->state);
     const auto now = std::chrono::steady_clock::now();
-    if (record->updated != last_id) {
-      last_id = record->updated;
+    const std::string id = record->updated + "/" + db::to_string(record->state);
+    if (id != last_id) {
+      last_id = id;
       spoke = now;
       return "id: " + last_id +
              "\nevent: status\ndata: " + status_info(*record, service.url).dump() + "\n\n";
@@ -63,7 +65,7 @@ struct Follower {
 Answer get_events(Service& service, const Call& call) {
   const auto job = job_or_problem(service.store, call.captured[0]);
   auto slot = std::make_shared<StreamSlot>(service.streams);
-  if (service.streams > Service::most_streams) {
+  if (service.streams > static_cast<int>(service.limits.streams)) {
     throw Problem(Failure::too_busy, "too many event streams are open: poll the job instead");
   }
   auto follower =

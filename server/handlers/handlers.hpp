@@ -30,6 +30,7 @@ Answer get_events(Service& service, const Call& call);
 Answer get_results(Service& service, const Call& call);
 Answer get_sections(Service& service, const Call& call);
 Answer get_section(Service& service, const Call& call);
+Answer get_section_log(Service& service, const Call& call);
 Answer get_compare(Service& service, const Call& call);
 Answer get_export(Service& service, const Call& call);
 
@@ -45,6 +46,9 @@ Answer get_collection(Service& service, const Call& call);
 Answer get_schema(Service& service, const Call& call);
 Answer get_items(Service& service, const Call& call);
 Answer get_item(Service& service, const Call& call);
+
+// retention.cpp
+Answer post_purge(Service& service, const Call& call);
 
 // health.cpp
 Answer get_healthz(Service& service, const Call& call);

@@ -19,9 +19,7 @@ void read_datetime(const Call& call, db::JobFilter& filter) {
   const auto slash = given->find('/');
   const auto end_of = [&](const std::string& text) {
     if (text.empty() || text == "..") return std::string();
-    const bool looks_right = text.size() >= 10 && text.size() <= 30 && text[4] == '-' &&
-                             text.find_first_not_of("0123456789-:.TZ+") == std::string::npos;
-    if (!looks_right) {
+    if (!is_datetime(text)) {
       throw Problem(Failure::invalid_parameter,
                     "datetime is '" + *given + "': give 2026-01-31T12:00:00Z or FROM/TO");
     }
@@ -45,6 +43,8 @@ db::JobFilter filter_of(const Call& call) {
     filter.states.push_back(*state);
   }
   read_datetime(call, filter);
+  filter.least_s = seconds(call, "minDuration");
+  filter.most_s = seconds(call, "maxDuration");
   filter.limit = whole_number(call, "limit", 100, 1, 1000);
   filter.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
   return filter;

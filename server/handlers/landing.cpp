@@ -2,9 +2,8 @@
 
 #include "server/handlers/handlers.hpp"
 #include "server/handlers/parameters.hpp"
-#include "server/routes.hpp"
+#include "server/openapi.hpp"
 #include "server/service.hpp"
-#include "server/version.hpp"
 
 namespace leda::server {
 namespace {
@@ -39,40 +38,6 @@ std::string html_page(const json& links) {
             link["title"].get<std::string>() + "</a></li>";
   }
   return page + "</ul></body></html>\n";
-}
-
-/// OpenAPI wants one entry for each {…} of a path and each query parameter.
-json parameters_of(const Route& route) {
-  json parameters = json::array();
-  const auto add = [&](std::string_view name, const char* in) {
-    parameters.push_back({{"name", name},
-                          {"in", in},
-                          {"required", std::string_view(in) == "path"},
-                          {"schema", {{"type", "string"}}}});
-  };
-  std::string_view path = route.path;
-  for (auto open = path.find('{'); open != std::string_view::npos; open = path.find('{')) {
-    const auto close = path.find('}');
-    add(path.substr(open + 1, close - open - 1), "path");
-    path.remove_prefix(close + 1);
-  }
-  std::string_view rest = route.parameters;
-  while (!rest.empty()) {
-    const auto blank = std::min(rest.find(' '), rest.size());
-    add(rest.substr(0, blank), "query");
-    rest.remove_prefix(std::min(blank + 1, rest.size()));
-  }
-  return parameters;
-}
-
-json body_of(const Route& route) {
-  if (route.path == "/rasters") {
-    return {
-        {"required", true},
-        {"content", {{"image/tiff", {{"schema", {{"type", "string"}, {"format", "binary"}}}}}}}};
-  }
-  return {{"required", true},
-          {"content", {{"application/json", {{"schema", {{"type", "object"}}}}}}}};
 }
 
 }  // namespace
@@ -112,23 +77,7 @@ Answer get_conformance(Service&, const Call& call) {
 
 Answer get_api(Service& service, const Call& call) {
   format(call, {"json"});
-  json paths = json::object();
-  for (const Route& route : routes()) {
-    json operation = {
-        {"summary", route.summary},
-        {"parameters", parameters_of(route)},
-        {"responses", {{"default", {{"description", "The answer, or a problem (RFC 9457)"}}}}}};
-    std::string verb(route.method);
-    for (char& c : verb) c = static_cast<char>(c - 'A' + 'a');
-    if (route.method == "POST" && route.path != "/jobs/{jobID}/retry") {
-      operation["requestBody"] = body_of(route);
-    }
-    paths[std::string(route.path)][verb] = operation;
-  }
-  Answer answer = json_answer({{"openapi", "3.0.3"},
-                               {"info", {{"title", "Leda"}, {"version", version()}}},
-                               {"servers", json::array({{{"url", service.url}}})},
-                               {"paths", paths}});
+  Answer answer = json_answer(openapi_document(service.url, service.tokens.required()));
   answer.type = "application/vnd.oai.openapi+json;version=3.0";
   return answer;
 }

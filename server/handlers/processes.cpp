@@ -2,6 +2,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "server/documents/execute_options.hpp"
 #include "server/handlers/handlers.hpp"
 #include "server/handlers/job_document.hpp"
 #include "server/handlers/parameters.hpp"
@@ -13,8 +14,6 @@ namespace leda::server {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::size_t most_request_bytes = std::size_t{16} << 20;
 
 const Process& process_or_problem(const std::string& id) {
   const Process* process = find_process(id);
@@ -67,16 +66,14 @@ Answer get_process(Service& service, const Call& call) {
   const Process& process = process_or_problem(call.captured[0]);
   json document = summary_of(process, service.url);
   document.update(process.describe());
-  document["outputs"] = {{"result",
-                          {{"title", "Sections with retrogression and runout, and zones"},
-                           {"schema", {{"type", "object"}}}}}};
   return json_answer(document);
 }
 
 Answer post_execution(Service& service, const Call& call) {
   const Process& process = process_or_problem(call.captured[0]);
   const std::string key = idempotency_key(call);
-  const std::string request = call.read_body(most_request_bytes);
+  const std::string request = call.read_body(service.limits.document_bytes);
+  if (execute_options_of(request).dry_run) return json_answer(dry_run(service, process, request));
   const Submitted submitted = submit(service, process, request, key);
   Answer answer = json_answer(status_info(submitted.job, service.url), 201);
   answer.headers.emplace_back("Location", service.url + "/jobs/" + submitted.job.id);

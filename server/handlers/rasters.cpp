@@ -41,16 +41,23 @@ db::RasterRecord raster_or_problem(const Service& service, const std::string& id
 /// The body of the call in a file, for as long as this lives.
 class Upload {
  public:
-  Upload(const Call& call, std::filesystem::path file) : file_(std::move(file)) {
+  Upload(const Call& call, std::filesystem::path file, std::uint64_t most_bytes)
+      : file_(std::move(file)) {
     std::ofstream out(file_, std::ios::binary);
     const bool whole = call.body([&](const char* data, std::size_t size) {
       bytes_ += size;
+      if (bytes_ > most_bytes) return true;  // read and dropped
       return static_cast<bool>(out.write(data, static_cast<std::streamsize>(size)));
     });
     out.close();
     if (!whole || !out) {
       remove();
       throw Problem(Failure::invalid_request, "the body could not be read whole");
+    }
+    if (bytes_ > most_bytes) {
+      remove();
+      throw Problem(Failure::too_large,
+                    "the DEM is larger than " + std::to_string(most_bytes) + " bytes");
     }
     if (bytes_ == 0) {
       remove();
@@ -69,13 +76,28 @@ class Upload {
     std::filesystem::remove(file_, ignored);
   }
   std::filesystem::path file_;
-  std::size_t bytes_ = 0;
+  std::uint64_t bytes_ = 0;
+};
+
+/// One of the few registrations that may go on at once: each reads and writes a whole DEM.
+class RegistrationSlot {
+ public:
+  explicit RegistrationSlot(Service& service) : service_(service) {
+    if (++service_.registrations <= static_cast<int>(service_.limits.registrations)) return;
+    --service_.registrations;
+    throw Problem(Failure::too_busy, "other DEMs are being registered: try again soon");
+  }
+  ~RegistrationSlot() { --service_.registrations; }
+  RegistrationSlot(const RegistrationSlot&) = delete;
+  RegistrationSlot& operator=(const RegistrationSlot&) = delete;
+
+ private:
+  Service& service_;
 };
 
 }  // namespace
 
 Answer post_raster(Service& service, const Call& call) {
-  const Upload upload(call, service.data.uploads() / (random_hex(16) + ".upload"));
   profiles::DemOptions options;
   options.epsg = whole_number(call, "epsg", 0, 1024, 999'999);
   options.vertical_unit = call.parameter("vertical_unit").value_or("");
@@ -84,8 +106,12 @@ Answer post_raster(Service& service, const Call& call) {
     throw Problem(Failure::invalid_parameter,
                   "vertical_unit is '" + unit + "': give m, ft or us-ft");
   }
-  const auto raster = register_raster(service.data, service.store, upload.file(),
-                                      call.parameter("name").value_or(""), options);
+  const std::string name = call.parameter("name").value_or("");
+  refuse_bad_raster_name(name);
+  const RegistrationSlot slot(service);
+  const Upload upload(call, service.data.uploads() / (random_hex(16) + ".upload"),
+                      service.limits.raster_bytes);
+  const auto raster = register_raster(service.data, service.store, upload.file(), name, options);
   Answer answer = json_answer(document_of(raster, service.url), 201);
   answer.headers.emplace_back("Location", service.url + "/rasters/" + raster.id);
   return answer;
@@ -107,7 +133,10 @@ Answer get_raster(Service& service, const Call& call) {
 
 Answer get_hillshade(Service& service, const Call& call) {
   const auto raster = raster_or_problem(service, call.captured[0]);
+  const std::string tag = "\"" + raster.id + "\"";  // a part of its file's hash
+  if (has_already(call, tag)) return not_modified(tag);
   Answer answer;
+  answer.headers.emplace_back("ETag", tag);
   answer.type = "image/png";
   answer.file = service.data.rasters() / (raster.id + ".hillshade.png");
   answer.headers.emplace_back("Cache-Control", "max-age=86400");

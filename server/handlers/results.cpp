@@ -3,6 +3,8 @@
 #include "profiles/export_layers.hpp"
 #include "server/compare_sections.hpp"
 #include "server/documents/compare_document.hpp"
+#include "server/documents/execute_options.hpp"
+#include "server/exports.hpp"
 #include "server/features.hpp"
 #include "server/handlers/handlers.hpp"
 #include "server/handlers/parameters.hpp"
@@ -36,7 +38,9 @@ db::JobRecord finished_job(const Service& service, const std::string& id) {
 }
 
 /// Results of a finished job never change; a retry changes `updated`.
-std::string tag_of(const db::JobRecord& job) { return "\"" + job.id + "-" + job.updated + "\""; }
+std::string tag_of(const db::JobRecord& job, const std::string& format) {
+  return "\"" + job.id + "-" + job.updated + "-" + format + "\"";
+}
 
 const char* media_type_of(const std::string& format) {
   if (format == "svg") return "image/svg+xml";
@@ -51,17 +55,53 @@ db::PageFilter all_of(const db::JobRecord& job) {
   return filter;
 }
 
-json rows_of(const Service& service, const db::JobRecord& job) {
+json rows_of(const Service& service, const db::JobRecord& job, const db::PageFilter& page) {
   json rows = json::array();
   const std::string own = service.url + "/jobs/" + job.id + "/sections/";
-  for (const auto& section : service.store.sections(job.id)) {
+  const auto raster = service.store.raster(job.raster);
+  for (const auto& section : service.store.section_page(page)) {
     json row = section_row(section);
+    row["dem_sha256"] = raster ? json(raster->sha256) : json();
     row["links"] = json::array({{{"href", own + percent_encode(section.name)},
                                  {"rel", "item"},
                                  {"type", "application/json"}}});
-    rows.push_back(row);
+    rows.push_back(std::move(row));
   }
   return rows;
+}
+
+Answer file_answer(Service& service, const Call& call, const db::JobRecord& job,
+                   const std::string& wanted) {
+  const auto kind = profiles::export_format_from(wanted).value();
+  const std::string tag = tag_of(job, wanted);
+  if (has_already(call, tag)) return not_modified(tag);
+  Answer answer;
+  answer.file = export_of(service.data, service.store, job, kind);
+  answer.type = profiles::media_type(kind);
+  answer.headers.emplace_back("ETag", tag);
+  answer.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + job.id +
+                                                         profiles::file_ending(kind) + "\"");
+  return answer;
+}
+
+/// The outputs by name, or where the request wanted one alone, that one.
+json wanted_of(json outputs, const ExecuteOptions& options) {
+  if (options.outputs.empty()) return outputs;
+  if (options.raw) return outputs[options.outputs.front()];
+  json wanted = json::object();
+  for (const auto& name : options.outputs) wanted[name] = std::move(outputs[name]);
+  return wanted;
+}
+
+json outputs_of(const Service& service, const db::JobRecord& job) {
+  json outputs = {{"sections", rows_of(service, job, all_of(job))}};
+  if (epsg_of(service.store, job) != 0) {
+    for (const Collection zones : {Collection::release_zones, Collection::runout_zones}) {
+      outputs[to_string(zones)] =
+          feature_collection(feature_page(service.store, zones, all_of(job)));
+    }
+  }
+  return outputs;
 }
 
 }  // namespace
@@ -70,46 +110,75 @@ Answer get_results(Service& service, const Call& call) {
   const auto job = finished_job(service, call.captured[0]);
   const Process* process = find_process(job.process);
   const bool own_form = process != nullptr && process->results != nullptr;
-  const std::string wanted =
-      own_form ? format(call, {"json", "csv", "svg"}) : format(call, {"json"});
-  if (call.header("If-None-Match") == tag_of(job)) {
-    Answer unchanged;
-    unchanged.status = 304;
-    unchanged.headers.emplace_back("ETag", tag_of(job));
-    return unchanged;
-  }
+  const std::string wanted = own_form ? format(call, {"json", "csv", "svg"})
+                                      : format(call, {"json", "geojson", "gpkg", "shp", "fgb"});
+  if (!own_form && wanted != "json") return file_answer(service, call, job, wanted);
+  const std::string tag = tag_of(job, wanted);
+  if (has_already(call, tag)) return not_modified(tag);
+  Answer answer;
   if (own_form) {
-    Answer answer;
-    answer.type = media_type_of(wanted);
     answer.body = process->results(job, service.store.sections(job.id), wanted);
-    answer.headers.emplace_back("ETag", tag_of(job));
-    return answer;
   }
-  json results = {{"sections", rows_of(service, job)}};
-  if (epsg_of(service.store, job) != 0) {
-    for (const Collection zones : {Collection::release_zones, Collection::runout_zones}) {
-      results[to_string(zones)] =
-          feature_collection(feature_page(service.store, zones, all_of(job)));
-    }
+  if (wanted == "json") {
+    const ExecuteOptions options = execute_options_of(job.request);
+    json outputs = own_form ? json::parse(answer.body) : outputs_of(service, job);
+    answer = json_answer(wanted_of(std::move(outputs), options));
   }
-  Answer answer = json_answer(results);
-  answer.headers.emplace_back("ETag", tag_of(job));
+  answer.type = media_type_of(wanted);
+  answer.headers.emplace_back("ETag", tag);
   return answer;
 }
 
 Answer get_sections(Service& service, const Call& call) {
   format(call, {"json"});
   const auto job = job_or_problem(service.store, call.captured[0]);
+  db::PageFilter page;
+  page.job = job.id;
+  page.limit = whole_number(call, "limit", 10'000, 1, 10'000);
+  page.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
+  const int total = service.store.count_sections(page);
+  json rows = rows_of(service, job, page);
+  const int returned = static_cast<int>(rows.size());
+  const std::string own = service.url + "/jobs/" + job.id + "/sections";
+  json links = json::array({{{"href", with_offset(call, own, page.offset)},
+                             {"rel", "self"},
+                             {"type", "application/json"}}});
+  if (returned > 0 && page.offset + returned < total) {
+    links.push_back({{"href", with_offset(call, own, page.offset + returned)},
+                     {"rel", "next"},
+                     {"type", "application/json"}});
+  }
   return json_answer({{"job", job.id},
                       {"status", db::to_string(job.state)},
                       {"message", job.message},
-                      {"sections", rows_of(service, job)}});
+                      {"sections", std::move(rows)},
+                      {"numberMatched", total},
+                      {"numberReturned", returned},
+                      {"links", links}});
 }
 
 Answer get_section(Service& service, const Call& call) {
   format(call, {"json"});
   const auto found = sections_or_problem(service.store, call.captured[0], {call.captured[1]});
-  return json_answer(section_detail(found.front(), service.data));
+  json document = section_detail(found.front(), service.data);
+  const auto raster = service.store.raster(job_or_problem(service.store, call.captured[0]).raster);
+  document["dem_sha256"] = raster ? json(raster->sha256) : json();
+  return json_answer(document);
+}
+
+Answer get_section_log(Service& service, const Call& call) {
+  constexpr int most_bytes = 4 << 20;
+  const int tail = whole_number(call, "tail", most_bytes, 1, most_bytes);
+  const auto found = sections_or_problem(service.store, call.captured[0], {call.captured[1]});
+  const std::string& run = found.front().run;
+  const auto file = service.data.run(run) / "log.txt";
+  if (run.empty() || !std::filesystem::exists(file)) {
+    throw Problem(Failure::no_such_resource, "no run of this section left a log");
+  }
+  Answer answer;
+  answer.type = "text/plain; charset=utf-8";
+  answer.body = end_of_log(file, tail);
+  return answer;
 }
 
 Answer get_compare(Service& service, const Call& call) {
@@ -129,15 +198,7 @@ Answer get_compare(Service& service, const Call& call) {
 
 Answer get_export(Service& service, const Call& call) {
   const auto wanted = format(call, {"gpkg", "geojson", "shp", "fgb"});
-  const auto job = finished_job(service, call.captured[0]);
-  const auto kind = profiles::export_format_from(wanted).value();
-  const std::string name = job.id + profiles::file_ending(kind);
-  Answer answer;
-  answer.file = service.data.exports() / name;
-  answer.type = profiles::media_type(kind);
-  answer.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + name + "\"");
-  profiles::export_layers(region_layers(service.store, job), kind, answer.file);
-  return answer;
+  return file_answer(service, call, finished_job(service, call.captured[0]), wanted);
 }
 
 }  // namespace leda::server

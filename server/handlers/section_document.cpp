@@ -1,5 +1,6 @@
 #include "server/handlers/section_document.hpp"
 
+#include <algorithm>
 #include <fstream>
 
 #include "server/documents/result_document.hpp"
@@ -24,16 +25,17 @@ json points(const MapLine& line) {
   return list;
 }
 
-std::string end_of_log(const std::filesystem::path& file) {
+}  // namespace
+
+std::string end_of_log(const std::filesystem::path& file, std::streamoff most_bytes) {
   std::ifstream in(file, std::ios::binary | std::ios::ate);
   if (!in) return "";
   const std::streamoff size = in.tellg();
-  const std::streamoff from = size > most_log_bytes ? size - most_log_bytes : 0;
-  in.seekg(from);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  in.seekg(std::max<std::streamoff>(size - most_bytes, 0));
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (size > most_bytes) text.erase(0, std::min(text.find('\n'), text.size() - 1) + 1);
+  return text;
 }
-
-}  // namespace
 
 json section_row(const db::SectionRecord& section) {
   json row = {{"name", section.name},
@@ -51,7 +53,9 @@ json section_row(const db::SectionRecord& section) {
               {"simulated_s", nullptr},
               {"run_time_s", nullptr},
               {"particles", nullptr},
-              {"ns_per_particle_step", nullptr}};
+              {"ns_per_particle_step", nullptr},
+              {"case_sha256", nullptr},
+              {"version", nullptr}};
   row["warnings"] = section.warnings;
   if (section.result) {
     const SectionResult& result = *section.result;
@@ -63,6 +67,8 @@ json section_row(const db::SectionRecord& section) {
     row["run_time_s"] = result.run_time_s;
     row["particles"] = result.particles;
     row["ns_per_particle_step"] = result.ns_per_particle_step;
+    row["case_sha256"] = result.case_sha256;
+    row["version"] = result.version;
     for (const auto& warning : result.warnings) row["warnings"].push_back(warning);
   }
   return row;
@@ -79,7 +85,8 @@ json section_detail(const db::SectionRecord& section, const DataFolder& data) {
   document["screening"] =
       section.screening.empty() ? json() : json::parse(section.screening, nullptr, false);
   document["result"] = section.result ? to_document(*section.result) : json();
-  document["log"] = section.run.empty() ? "" : end_of_log(data.run(section.run) / "log.txt");
+  document["log"] =
+      section.run.empty() ? "" : end_of_log(data.run(section.run) / "log.txt", most_log_bytes);
   return document;
 }
 

@@ -4,6 +4,7 @@
 #include <httplib.h>
 #include <spdlog/spdlog.h>
 
+#include <atomic>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -71,8 +72,13 @@ TEST_F(HttpServerTest, TheLandingPageLinksWhatClientsLookFor) {
 }
 
 TEST_F(HttpServerTest, TheInterfaceListsEveryPath) {
-  const json api = ok("/api");
+  const auto answer = client.Get("/api");
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->get_header_value("Content-Type"),
+            "application/vnd.oai.openapi+json;version=3.0");
+  const json api = json::parse(answer->body);
   EXPECT_EQ(api["openapi"], "3.0.3");
+  EXPECT_EQ(api["servers"][0]["url"], service.url);
   EXPECT_TRUE(api["paths"]["/jobs/{jobID}"].contains("delete"));
   EXPECT_EQ(api["paths"]["/jobs/{jobID}"]["get"]["parameters"][0]["name"], "jobID");
   EXPECT_TRUE(api["paths"]["/rasters"]["post"].contains("requestBody"));
@@ -114,9 +120,10 @@ TEST_F(HttpServerTest, AWrongMethodIsToldWithTheRightOnes) {
 TEST_F(HttpServerTest, ParametersAreChecked) {
   for (const char* path :
        {"/jobs?limit=0", "/jobs?limit=ten", "/jobs?status=done", "/jobs?surprise=1",
-        "/jobs?datetime=yesterday", "/collections/sections/items?bbox=1,2,3",
-        "/collections/sections/items?bbox=1,2,3,nan", "/collections/sections/items?limit=-1",
-        "/healthz?x=1", "/processes?f=xml"}) {
+        "/jobs?datetime=yesterday", "/jobs?datetime=2026-13-01", "/jobs?minDuration=-1",
+        "/jobs?maxDuration=x", "/jobs?datetime=2026-01-01T25:00:00Z",
+        "/collections/sections/items?bbox=1,2,3", "/collections/sections/items?bbox=1,2,3,nan",
+        "/collections/sections/items?limit=-1", "/healthz?x=1", "/processes?f=xml"}) {
     expect_problem(client.Get(path), 400, path);
   }
 }
@@ -241,6 +248,141 @@ TEST_F(HttpServerTest, MetricsCountRequestsByRoute) {
   EXPECT_NE(answer->body.find("leda_jobs{status=\"failed\"} 0"), std::string::npos);
 }
 
+TEST_F(HttpServerTest, MetricsTellOfTheQueueAndOfRuns) {
+  service.metrics.count_run(tests::made_up_result());
+  service.metrics.count_restarts(2);
+  const std::string text = client.Get("/metrics")->body;
+  for (const char* line :
+       {"leda_queue_depth 0", "leda_run_seconds_count 1",
+        "leda_ns_per_particle_step_bucket{le=\"50\"} 1", "leda_worker_restarts_total 2",
+        "leda_results_total{status=\"at-rest\"} 1", "leda_now{what=\"runs\"} 0",
+        "leda_build_info{version="}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+  }
+}
+
+TEST_F(HttpServerTest, ADryRunIsAnsweredAtOnceAndStoresNothing) {
+  json request = json::parse(tests::simulate_request());
+  request["dryRun"] = true;
+  const auto answer = submit(request.dump());
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->status, 200) << answer->body;
+  EXPECT_EQ(json::parse(answer->body)["estimate"]["runs"], 1);
+  EXPECT_EQ(ok("/jobs")["numberMatched"], 0);
+  request["inputs"]["case"].erase("ground");
+  expect_problem(submit(request.dump()), 400, "a dry run finds the same faults");
+}
+
+TEST_F(HttpServerTest, OutputsMustBeThoseOfTheProcess) {
+  json request = json::parse(tests::simulate_request());
+  request["outputs"] = {{"surprise", json::object()}};
+  const auto answer = submit(request.dump());
+  expect_problem(answer, 400, "unknown output");
+  EXPECT_EQ(json::parse(answer->body)["errors"][0]["pointer"], "/outputs/surprise");
+  request["outputs"] = {{"sections", json::object()}};
+  EXPECT_EQ(submit(request.dump())->status, 201);
+}
+
+TEST_F(HttpServerTest, JobsAreFoundByTheTimeTheyTook) {
+  const std::string id = json::parse(submit(tests::simulate_request())->body)["jobID"];
+  while (ok("/jobs/" + id)["status"] != "failed") {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  EXPECT_EQ(ok("/jobs?maxDuration=600")["numberMatched"], 1);
+  EXPECT_EQ(ok("/jobs?minDuration=600")["numberMatched"], 0);
+}
+
+TEST_F(HttpServerTest, AGzipBombIsNoLargerThanItsLimit) {
+  // 20 MB of blanks, 20 kB packed: the limit counts what comes out.
+  client.set_compress(true);
+  expect_problem(submit(std::string(20U << 20, ' ')), 413, "gzip bomb");
+}
+
+TEST_F(HttpServerTest, EventStreamsLeaveRoomForOthers) {
+  ServiceOptions few = options();
+  few.limits.streams = 2;
+  few.program = "/bin/sleep";  // never gives a result while the test looks
+  const tests::TemporaryFolder own_folder;
+  Service own{own_folder.path(), few};
+  HttpServer own_http{own, {"127.0.0.1", 0}};
+  db::JobRecord job;
+  job.id = "open";
+  job.process = "simulate-section";
+  job.request = tests::simulate_request();
+  own.store.add_job(job);  // the dispatcher is not told: it stays accepted
+  const auto follow = [&](std::atomic<bool>& stop) {
+    httplib::Client other(own.url);
+    other.Get("/jobs/open/events", [&](const char*, std::size_t) { return !stop; });
+  };
+  std::atomic<bool> stop = false;
+  std::thread first([&] { follow(stop); }), second([&] { follow(stop); });
+  while (own.streams < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  httplib::Client other(own.url);
+  const auto third = other.Get("/jobs/open/events");
+  expect_problem(third, 503, "a third stream");
+  EXPECT_FALSE(third->get_header_value("Retry-After").empty());
+  EXPECT_EQ(other.Get("/healthz")->status, 200);
+  own.store.set_job_state("open", db::JobState::failed, "");
+  first.join();
+  second.join();
+  EXPECT_EQ(own.streams, 0);
+}
+
+TEST_F(HttpServerTest, AFullQueueSaysWhenToComeAgain) {
+  ServiceOptions few = options();
+  few.limits.unfinished_jobs = 1;
+  const tests::TemporaryFolder own_folder;
+  Service own{own_folder.path(), few};
+  HttpServer own_http{own, {"127.0.0.1", 0}};
+  db::JobRecord job;
+  job.id = "open";
+  job.process = "simulate-section";
+  own.store.add_job(job);
+  httplib::Client other(own.url);
+  const auto answer = other.Post("/processes/simulate-section/execution", tests::simulate_request(),
+                                 "application/json");
+  expect_problem(answer, 429, "full queue");
+  EXPECT_EQ(answer->get_header_value("Retry-After"), "30");
+}
+
+TEST_F(HttpServerTest, AJobOfTooManyParticlesIsRefused) {
+  ServiceOptions few = options();
+  few.limits.particles = 500;
+  const tests::TemporaryFolder own_folder;
+  Service own{own_folder.path(), few};
+  HttpServer own_http{own, {"127.0.0.1", 0}};
+  const auto answer = httplib::Client(own.url).Post("/processes/simulate-section/execution",
+                                                    tests::simulate_request(), "application/json");
+  expect_problem(answer, 400, "580 particles");
+  EXPECT_EQ(own.store.count_jobs({}), 0);
+}
+
+TEST_F(HttpServerTest, AnErrorInsideTellsTheClientNothingOfIt) {
+  db::RasterRecord lost;
+  lost.id = lost.name = "lost";
+  lost.file = "rasters/lost.tif";
+  service.store.add_raster(lost);
+  const auto answer = client.Get("/rasters/lost/hillshade.png");
+  expect_problem(answer, 500, "a file that is not there");
+  EXPECT_FALSE(answer->has_header("EXCEPTION_WHAT"));
+  EXPECT_EQ(answer->body.find("lost.tif"), std::string::npos) << answer->body;
+  EXPECT_EQ(answer->body.find(service.data.root().string()), std::string::npos) << answer->body;
+}
+
+TEST_F(HttpServerTest, ATagAmongSeveralOrAnyIsKnown) {
+  const std::string id = json::parse(submit(tests::simulate_request())->body)["jobID"];
+  service.dispatcher.dismiss(id);
+  service.store.set_job_state(id, db::JobState::accepted, "");
+  service.store.set_job_state(id, db::JobState::successful, "");
+  const std::string path = "/jobs/" + id + "/results";
+  const std::string tag = client.Get(path)->get_header_value("ETag");
+  ASSERT_FALSE(tag.empty());
+  for (const std::string& known : {tag, "\"x\", W/" + tag, std::string("*")}) {
+    EXPECT_EQ(client.Get(path, {{"If-None-Match", known}})->status, 304) << known;
+  }
+  EXPECT_EQ(client.Get(path, {{"If-None-Match", "\"x\""}})->status, 200);
+}
+
 TEST_F(HttpServerTest, RastersThatAreNoneAreRefusedAndLeaveNothing) {
   expect_problem(client.Post("/rasters?name=x", "", "image/tiff"), 400, "empty");
   expect_problem(client.Post("/rasters?name=x", "no raster", "image/tiff"), 400, "text");
@@ -249,6 +391,13 @@ TEST_F(HttpServerTest, RastersThatAreNoneAreRefusedAndLeaveNothing) {
   expect_problem(client.Post("/rasters?name=x&vertical_unit=km", "x", "image/tiff"), 400, "unit");
   EXPECT_TRUE(ok("/rasters")["rasters"].empty());
   EXPECT_TRUE(std::filesystem::is_empty(service.data.uploads()));
+}
+
+TEST(ListenAddress, OthersAreServedWithTokensAlone) {
+  EXPECT_THROW(listen_address_from("10.0.0.7:80"), ListenError);
+  EXPECT_EQ(listen_address_from("10.0.0.7:80", true).host, "10.0.0.7");
+  EXPECT_EQ(listen_address_from("[::]:80", true).host, "::");
+  EXPECT_THROW(listen_address_from(":80", true), ListenError);
 }
 
 TEST(ListenAddress, OnlyThisMachineIsServed) {

@@ -41,6 +41,14 @@ SectionResult result_of_case_in(const std::filesystem::path& folder) {
   return result;
 }
 
+SectionResult made_up_result() {
+  SectionResult result;
+  result.status = RunStatus::at_rest;
+  result.run_time_s = 10;
+  result.ns_per_particle_step = 45;
+  return result;
+}
+
 void leave_result(const std::filesystem::path& folder, const SectionResult& result) {
   write_text(folder / "fields.h5", "");
   write_text(folder / "result.json", server::result_text(result));

@@ -30,13 +30,13 @@ const BadRegion corpus[] = {
      {"/inputs/name", "/inputs/dem", "/inputs/sections", "/inputs/soil", "/inputs/resolution"}},
     {"unknown_keys",
      Schema::sees_it,
-     R"([{"op": "add", "path": "/outputs", "value": {}},
+     R"([{"op": "add", "path": "/surprise", "value": {}},
          {"op": "add", "path": "/inputs/soils", "value": {}},
          {"op": "add", "path": "/inputs/screening/skip", "value": true},
          {"op": "add", "path": "/inputs/sections/0/colour", "value": "red"},
          {"op": "add", "path": "/inputs/sections/1/spacing", "value": 1},
          {"op": "add", "path": "/inputs/soil/models/0/wher", "value": []}])",
-     {"/outputs", "/inputs/soils", "/inputs/screening/skip", "/inputs/sections/0/colour",
+     {"/surprise", "/inputs/soils", "/inputs/screening/skip", "/inputs/sections/0/colour",
       "/inputs/sections/1/spacing", "/inputs/soil/models/0/wher"}},
     {"sections_empty",
      Schema::sees_it,
@@ -142,9 +142,9 @@ const BadRegion corpus[] = {
          {"op": "replace", "path": "/inputs/resolution/cell_m", "value": -1},
          {"op": "replace", "path": "/inputs/damping/dynamic", "value": 1},
          {"op": "replace", "path": "/inputs/stop/max_time_s", "value": 0},
-         {"op": "replace", "path": "/inputs/dry_run", "value": "yes"}])",
+         {"op": "replace", "path": "/inputs/dryRun", "value": "yes"}])",
      {"/inputs/trigger/then_toe_cut_m", "/inputs/resolution/cell_m", "/inputs/damping/dynamic",
-      "/inputs/stop/max_time_s", "/inputs/dry_run"}},
+      "/inputs/stop/max_time_s", "/inputs/dryRun"}},
 };
 
 class BadRegions : public testing::TestWithParam<BadRegion> {};

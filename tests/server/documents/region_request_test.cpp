@@ -38,7 +38,6 @@ TEST(RegionRequest, EverythingArrives) {
   EXPECT_EQ(r.settings.time_step_factor, 0.4);
   EXPECT_EQ(std::get<UndrainedTrigger>(r.settings.trigger).then_toe_cut_m, 3.0);
   EXPECT_FALSE(r.skip_stable);
-  EXPECT_TRUE(r.dry_run);
 }
 
 TEST(RegionRequest, SmallestHasTheDefaults) {
@@ -48,7 +47,6 @@ TEST(RegionRequest, SmallestHasTheDefaults) {
   EXPECT_EQ(r.soil.size(), 1u);
   EXPECT_EQ(r.soil[0].base_below_toe_m, 5);
   EXPECT_TRUE(r.skip_stable);
-  EXPECT_FALSE(r.dry_run);
   EXPECT_EQ(r.settings.stop.max_time_s, 120);
 }
 

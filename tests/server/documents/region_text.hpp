@@ -33,7 +33,7 @@ inline nlohmann::json region() {
     "resolution": {"cell_m": 1.0, "particles_per_cell": 4},
     "damping": {"dynamic": 0.05}, "time_step_factor": 0.4,
     "stop": {"max_time_s": 60}, "output": {"frame_interval_s": 5},
-    "screening": {"skip_stable": false}, "dry_run": true
+    "screening": {"skip_stable": false}, "dryRun": true
   }})");
 }
 

@@ -1,0 +1,14 @@
+#pragma once
+// An answer through cpp-httplib: text, a file piece by piece, or a stream of events.
+
+#include <httplib.h>
+
+#include "server/answer.hpp"
+#include "server/service.hpp"
+
+namespace leda::server {
+
+/// @throws std::runtime_error where the file of an answer cannot be read
+void send(Service& service, const Answer& answer, httplib::Response& response);
+
+}  // namespace leda::server
