@@ -24,9 +24,6 @@ bool is_local_name(std::string host) {
 
 void refuse_at_the_gate(const HeaderOf& header, const Tokens& tokens,
                         const std::string& public_url) {
-  if (!header("Transfer-Encoding").empty()) {
-    throw Problem(Failure::length_required, "send the body with a Content-Length");
-  }
   if (header("Content-Type").starts_with("multipart/")) {
     throw Problem(Failure::wrong_media_type, "send the document itself as the body, not a form");
   }

@@ -14,8 +14,8 @@ using HeaderOf = std::function<std::string(const std::string&)>;
 /// The name of this machine for itself: 127.0.0.1, localhost or [::1], with or without a port.
 bool is_local_name(std::string host);
 
-/// Refuses what no route wants: chunked bodies and forms, of which the size is not known; and
-/// requests that a page of another site has a browser send. @param public_url of the server
+/// Refuses what no route wants: forms, and requests that a page of another site has a browser
+/// send. @param public_url of the server
 /// @throws Problem
 void refuse_at_the_gate(const HeaderOf& header, const Tokens& tokens,
                         const std::string& public_url);

@@ -150,6 +150,16 @@ httplib::Server::HandlerResponse before_routing(const Service& service,
                                                 const httplib::Request& request,
                                                 httplib::Response& response) {
   try {
+    // Where a proxy in front and the library read the length of a body in different ways, the rest
+    // of one request becomes another.
+    if (request.has_header("Transfer-Encoding")) {
+      throw Problem(Failure::length_required, "send the body with a Content-Length");
+    }
+    const std::string length = request.get_header_value("Content-Length");
+    if (request.get_header_value_count("Content-Length") > 1 ||
+        length.find_first_not_of("0123456789") != std::string::npos) {
+      throw Problem(Failure::invalid_request, "the Content-Length must be one whole number");
+    }
     refuse_at_the_gate(headers_of(request), service.tokens, service.url);
     return httplib::Server::HandlerResponse::Unhandled;
   } catch (const Problem& problem) {

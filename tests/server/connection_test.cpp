@@ -9,6 +9,8 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "server/http_server.hpp"
 #include "tests/server/temporary_folder.hpp"
@@ -126,6 +128,25 @@ TEST_F(ConnectionTest, ARefusedBodyIsNotTakenForARequestEither) {
       "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
   const std::string heard = pushing.hear();
   EXPECT_TRUE(starts(heard, "HTTP/1.1 411 ")) << heard;
+  EXPECT_EQ(heard.find("HTTP/1.1", 8), std::string::npos) << heard;
+}
+
+TEST_F(ConnectionTest, LengthsThatCanBeReadInTwoWaysAreRefused) {
+  const std::string end = "\r\n\r\nGET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
+  for (const auto& [header, status] : std::vector<std::pair<std::string, std::string>>{
+           {"Transfer-Encoding: \r\nTransfer-Encoding: chunked", "411"},
+           {"Content-Length: 3\r\nContent-Length: 40", "400"},
+           {"Content-Length: -1", "400"}}) {
+    const Socket pushing(service.url);
+    pushing.say("POST /rasters?name=x HTTP/1.1\r\nHost: localhost\r\n" + header + end);
+    const std::string heard = pushing.hear();
+    EXPECT_TRUE(starts(heard, "HTTP/1.1 " + status)) << header << "\n" << heard;
+    EXPECT_EQ(heard.find("HTTP/1.1", 8), std::string::npos) << header << "\n" << heard;
+  }
+  const Socket with_body(service.url);
+  with_body.say("GET /healthz HTTP/1.1\r\nHost: localhost\r\nContent-Length: 45" + end);
+  const std::string heard = with_body.hear();
+  EXPECT_TRUE(starts(heard, "HTTP/1.1 200 ")) << heard;
   EXPECT_EQ(heard.find("HTTP/1.1", 8), std::string::npos) << heard;
 }
 

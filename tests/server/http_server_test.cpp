@@ -71,6 +71,44 @@ TEST_F(HttpServerTest, TheLandingPageLinksWhatClientsLookFor) {
   EXPECT_EQ(page->get_header_value("Content-Type"), "text/html; charset=utf-8");
 }
 
+TEST_F(HttpServerTest, TheClassesItConformsToAreNamed) {
+  std::set<std::string> classes;
+  const json conformance = ok("/conformance");
+  for (const auto& name : conformance["conformsTo"]) classes.insert(name.get<std::string>());
+  for (const char* name :
+       {"core", "ogc-process-description", "json", "oas30", "job-list", "dismiss"}) {
+    EXPECT_TRUE(classes.contains(
+        std::string("http://www.opengis.net/spec/ogcapi-processes-1/1.0/conf/") + name))
+        << name;
+  }
+}
+
+TEST_F(HttpServerTest, ProblemsOfTheStandardCarryItsTypes) {
+  const std::string base = "http://www.opengis.net/def/exceptions/ogcapi-processes-1/1.0/";
+  const auto type_at = [&](const std::string& path) {
+    return json::parse(client.Get(path)->body)["type"].get<std::string>();
+  };
+  EXPECT_EQ(type_at("/processes/none"), base + "no-such-process");
+  EXPECT_EQ(type_at("/jobs/none"), base + "no-such-job");
+  db::JobRecord job;
+  job.id = "open";
+  job.process = "simulate-section";
+  service.store.add_job(job);
+  EXPECT_EQ(type_at("/jobs/open/results"), base + "result-not-ready");
+  EXPECT_EQ(client.Get("/jobs/open/results")->status, 404);
+}
+
+TEST_F(HttpServerTest, ProcessesSayWhatTheyTakeAndGive) {
+  for (const auto& [name, output] : std::vector<std::pair<std::string, std::string>>{
+           {"map-region", "runout_zones"},
+           {"simulate-section", "sections"},
+           {"resolution-study", "fastest_within_wanted_error"}}) {
+    const json process = ok("/processes/" + name);
+    EXPECT_EQ(process["jobControlOptions"], (json{"async-execute", "dismiss"})) << name;
+    EXPECT_TRUE(process["outputs"].contains(output)) << name;
+  }
+}
+
 TEST_F(HttpServerTest, TheInterfaceListsEveryPath) {
   const auto answer = client.Get("/api");
   ASSERT_TRUE(answer);

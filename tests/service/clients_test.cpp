@@ -131,7 +131,12 @@ TEST_F(Clients, EveryResultNamesVersionCaseAndDem) {
       EXPECT_FALSE(feature["properties"]["version"].get<std::string>().empty()) << layer;
       EXPECT_EQ(feature["properties"].size(), schema["properties"].size()) << layer;
       for (const auto& [name, value] : feature["properties"].items()) {
-        EXPECT_TRUE(schema["properties"].contains(name)) << layer << " " << name;
+        ASSERT_TRUE(schema["properties"].contains(name)) << layer << " " << name;
+        const std::string type = schema["properties"][name]["type"];
+        const bool fits = value.is_null() || (type == "string"    ? value.is_string()
+                                              : type == "integer" ? value.is_number_integer()
+                                                                  : value.is_number());
+        EXPECT_TRUE(fits) << layer << " " << name << ": " << value;
       }
     }
     const json one = items["features"][0];
