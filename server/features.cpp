@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "profiles/export_layers.hpp"
+#include "server/logging.hpp"
 #include "server/region_layers.hpp"
 
 namespace leda::server {
@@ -137,6 +138,22 @@ void add_box(std::vector<db::FeatureBox>& boxes, std::int64_t id, const MapBox& 
   if (box[0] <= box[2]) boxes.push_back({id, box});
 }
 
+void keep_boxes(db::Store& store, const db::JobRecord& job, const ToCrs84& to_crs84) {
+  std::vector<db::FeatureBox> sections, zones;
+  for (const auto& section : store.sections(job.id)) {
+    MapBox box{far, far, -far, -far};
+    grow(box, to_crs84(section.trace));
+    add_box(sections, section.id, box);
+  }
+  for (const auto& zone : store.zones(job.id)) {
+    MapBox box{far, far, -far, -far};
+    for (const MapPolygon& polygon : zone.zone.area) grow(box, to_crs84(polygon.outer));
+    add_box(zones, zone.id, box);
+  }
+  store.set_section_boxes(sections);
+  store.set_zone_boxes(zones);
+}
+
 }  // namespace
 
 const char* to_string(Collection collection) {
@@ -223,20 +240,12 @@ json schema_of(Collection collection) {
 void keep_boxes(db::Store& store, const db::JobRecord& job) {
   const int epsg = epsg_of(store, job);
   if (epsg == 0) return;
-  const ToCrs84 to_crs84(epsg);
-  std::vector<db::FeatureBox> sections, zones;
-  for (const auto& section : store.sections(job.id)) {
-    MapBox box{far, far, -far, -far};
-    grow(box, to_crs84(section.trace));
-    add_box(sections, section.id, box);
+  try {
+    keep_boxes(store, job, ToCrs84(epsg));
+  } catch (const profiles::ExportError& error) {
+    // A job is worth more than its place in a search by box.
+    log_warning(job.id, "no boxes reason={}", in_quotes(error.what()));
   }
-  for (const auto& zone : store.zones(job.id)) {
-    MapBox box{far, far, -far, -far};
-    for (const MapPolygon& polygon : zone.zone.area) grow(box, to_crs84(polygon.outer));
-    add_box(zones, zone.id, box);
-  }
-  store.set_section_boxes(sections);
-  store.set_zone_boxes(zones);
 }
 
 json feature_collection(const std::vector<json>& features) {

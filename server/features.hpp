@@ -35,7 +35,8 @@ db::Coverage coverage_of(const db::Store& store, Collection collection);
 nlohmann::json schema_of(Collection collection);
 
 /// Keeps where the sections and zones of a job lie, so that pages find them by box. Needed after
-/// a layout and after zones were stored; a job without a DEM is left alone.
+/// a layout and after zones were stored; a job without a DEM is left alone. What cannot be placed
+/// is told in the log.
 void keep_boxes(db::Store& store, const db::JobRecord& job);
 
 nlohmann::json feature_collection(const std::vector<nlohmann::json>& features);
