@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/statics/statics.hpp"
+
 namespace leda::solver {
 
 namespace {
@@ -53,22 +55,51 @@ void zero_motion(Particles& p) {
   }
 }
 
+// A balance by static solves. Left unreached where there is none, or none the statics can find.
+std::optional<StageEnd> solve(RunState& run, const Statics& statics, const LawTable& laws,
+                              const char* stage, Balance& balance) {
+  if (run.listener->progress) run.listener->progress({0.0, 0.0, stage});
+  const StaticBalance found =
+      statics.balance(run.seeded.particles, run.seeded.grid, laws, run.listener->interrupted);
+  zero_motion(run.seeded.particles);
+  if (found.end == StaticBalance::End::interrupted) {
+    return StageEnd{StageEnd::Why::interrupted, ""};
+  }
+  balance = {found.end == StaticBalance::End::balanced, found.ratio};
+  return {};
+}
+
+std::optional<StageEnd> settle(RunState& run, const std::optional<Statics>& statics, bool elastic,
+                               Balance& balance) {
+  const LawTable laws = without_softening(run.seeded.laws, elastic);
+  const char* stage = elastic ? "initial stress" : "undrained";
+  balance = {};
+  if (statics) {
+    if (auto end = solve(run, *statics, laws, stage, balance)) return end;
+  }
+  if (!balance.reached) {
+    const int most = elastic ? most_elastic_steps : most_plastic_steps;
+    if (auto end = relax(run, laws, most, stage, balance)) return end;
+  }
+  zero_motion(run.seeded.particles);
+  return {};
+}
+
 }  // namespace
 
-std::optional<StageEnd> find_initial_stress(RunState& run) {
+std::optional<StageEnd> find_initial_stress(RunState& run, QuietMethod method) {
   Balance balance;
-  const LawTable elastic = without_softening(run.seeded.laws, true);
-  if (auto end = relax(run, elastic, most_elastic_steps, "initial stress", balance)) return end;
-  zero_motion(run.seeded.particles);
-  const LawTable plastic = without_softening(run.seeded.laws, false);
-  balance = {};
-  if (auto end = relax(run, plastic, most_plastic_steps, "undrained", balance)) return end;
+  std::optional<Statics> statics;
+  if (method == QuietMethod::direct) {
+    statics = Statics::prepare(run.seeded.particles, run.seeded.grid, run.seeded.laws);
+  }
+  if (auto end = settle(run, statics, true, balance)) return end;
+  if (auto end = settle(run, statics, false, balance)) return end;
   if (!balance.reached) {
     run.warnings.push_back("no equilibrium at the undrained peak strength (unbalanced force " +
                            std::to_string(balance.ratio * 100) +
                            " % of the weight): the section slides without softening");
   }
-  zero_motion(run.seeded.particles);
   run.fastest = 0;
   run.time = 0;
   return {};
