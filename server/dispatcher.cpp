@@ -205,8 +205,10 @@ void Dispatcher::start_run(OpenJob& job, std::size_t index) {
   log_info(id, "run started section={} run={}", in_quotes(section.name), run);
 }
 
-/// Workers are asked to end; what has a result by then is taken in.
+/// Workers are asked to end; what has a result by then is taken in. Runs of a cluster go on and
+/// are adopted at the next start.
 void Dispatcher::wind_down() {
+  if (executor_->outlives_server()) return;
   for (const auto& [run, of] : runs_) executor_->cancel(run);
   const auto until = std::chrono::steady_clock::now() + to_wind_down;
   while (!runs_.empty() && std::chrono::steady_clock::now() < until) {

@@ -38,7 +38,8 @@ class Dispatcher {
   /// The executor is made, used and destroyed in the dispatcher's own thread.
   Dispatcher(const DataFolder& data, db::Store& store, MakeExecutor make_executor,
              RunWatch watch = {});
-  /// Ends the runs that still go; a later dispatcher starts them anew.
+  /// Ends the runs that still go, where they can't outlive the server: a later dispatcher starts
+  /// them anew, and adopts the others.
   ~Dispatcher();
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;

@@ -17,19 +17,29 @@ constexpr std::chrono::milliseconds between_reports{500};
 
 }  // namespace
 
-/// Runs that ended while nobody watched are taken in; those that were cut off start anew.
+/// Runs that ended while nobody watched are taken in, those that still go are adopted, and those
+/// that were cut off start anew.
 void Dispatcher::recover(OpenJob& job) {
-  for (auto& section : job.sections) {
-    if (section.state == SectionState::running && read_outcome(data_.run(section.run)).result) {
+  const std::string& id = job.record.id;
+  int restarted = 0, adopted = 0;
+  for (std::size_t index = 0; index < job.sections.size(); ++index) {
+    auto& section = job.sections[index];
+    if (section.state != SectionState::running) continue;
+    const auto folder = data_.run(section.run);
+    if (read_outcome(folder).result) {
       take_in(job, section);
+    } else if (executor_->adopt({section.run, folder})) {
+      runs_[section.run] = {id, index};
+      ++job.running;
+      ++adopted;
+    } else {
+      set_state(section, SectionState::waiting, "");
+      ++restarted;
     }
   }
-  const int restarted = store_.requeue_running(job.record.id);
-  if (restarted > 0) log_info(job.record.id, "runs start anew runs={}", restarted);
+  if (adopted > 0) log_info(id, "runs go on runs={}", adopted);
+  if (restarted > 0) log_info(id, "runs start anew runs={}", restarted);
   if (restarted > 0 && watch_.restarted) watch_.restarted(restarted);
-  for (auto& section : job.sections) {
-    if (section.state == SectionState::running) section.state = SectionState::waiting;
-  }
 }
 
 void Dispatcher::settle(const RunEnd& end) {

@@ -1,5 +1,7 @@
 #pragma once
-// Where runs are computed. The dispatcher knows nothing else about it.
+// Where runs are computed: the processes of this machine, or a cluster. The dispatcher knows
+// nothing else about it, and tests/server/executor_test.cpp holds every executor to what is said
+// here. Not safe for several threads.
 
 #include <cstddef>
 #include <filesystem>
@@ -35,10 +37,18 @@ class Executor {
   virtual std::size_t free_slots() const = 0;
   /// Takes a run. A failure to start it is told by poll().
   virtual void submit(const RunOrder& order) = 0;
-  /// The runs that ended since the last call, each once.
+  /// The runs that ended since the last call, each once. A run whose state cannot be learnt, for
+  /// example because a cluster does not answer, has not ended.
   virtual std::vector<RunEnd> poll() = 0;
   /// Ends a run; poll() tells when it is over. Unknown runs are ignored.
   virtual void cancel(const std::string& run) = 0;
+
+  /// Whether runs go on when their server ends.
+  virtual bool outlives_server() const { return false; }
+  /// Takes up a run that an earlier server submitted: poll() then tells its end. Comes before the
+  /// first poll(), which gives up the runs that nobody adopted.
+  /// @return false where the run is not computed any more
+  virtual bool adopt(const RunOrder&) { return false; }
 };
 
 }  // namespace leda::server

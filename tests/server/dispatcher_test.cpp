@@ -21,7 +21,9 @@ using db::SectionState;
 class ScriptedExecutor final : public Executor {
  public:
   using Script = std::function<std::optional<RunEnd>(const RunOrder&)>;
-  explicit ScriptedExecutor(Script script) : script_(std::move(script)) {}
+  /// @param cluster its runs outlive it, and are adopted
+  explicit ScriptedExecutor(Script script, bool cluster = false)
+      : script_(std::move(script)), cluster_(cluster) {}
 
   std::size_t free_slots() const override { return 2 - std::min<std::size_t>(2, kept_.size()); }
   void submit(const RunOrder& order) override {
@@ -35,9 +37,15 @@ class ScriptedExecutor final : public Executor {
   void cancel(const std::string& run) override {
     if (std::erase(kept_, run) > 0) ended_.push_back({run, RunEnd::How::cancelled, 0, "cancelled"});
   }
+  bool outlives_server() const override { return cluster_; }
+  bool adopt(const RunOrder& order) override {
+    if (cluster_) submit(order);
+    return cluster_;
+  }
 
  private:
   Script script_;
+  bool cluster_;
   std::vector<RunEnd> ended_;
   std::vector<std::string> kept_;
 };
@@ -61,12 +69,13 @@ class DispatcherTest : public testing::Test {
     return id;
   }
 
-  std::unique_ptr<Dispatcher> dispatcher(ScriptedExecutor::Script script) {
-    auto made = std::make_unique<Dispatcher>(data, store, [script, this] {
-      return std::make_unique<ScriptedExecutor>([script, this](const RunOrder& order) {
+  std::unique_ptr<Dispatcher> dispatcher(ScriptedExecutor::Script script, bool cluster = false) {
+    auto made = std::make_unique<Dispatcher>(data, store, [script, cluster, this] {
+      const auto counted = [script, this](const RunOrder& order) {
         ++submitted;
         return script(order);
-      });
+      };
+      return std::make_unique<ScriptedExecutor>(counted, cluster);
     });
     made->start();
     return made;
@@ -199,6 +208,20 @@ TEST_F(DispatcherTest, ARunThatWasCutOffStartsAnewInAnotherFolder) {
   EXPECT_EQ(wait_for_end().state, JobState::successful);
   EXPECT_NE(section().run, run);
   EXPECT_EQ(section().attempts, 2);
+}
+
+TEST_F(DispatcherTest, ARunThatOutlivedTheServerIsAdoptedInItsOwnFolder) {
+  add_job();
+  {
+    const auto first = dispatcher([](const RunOrder&) { return std::nullopt; }, true);
+    wait([](const db::JobRecord& job) { return job.state == JobState::running; });
+  }
+  const std::string run = section().run;
+  ASSERT_EQ(section().state, SectionState::running);
+  const auto second = dispatcher(with_result, true);
+  EXPECT_EQ(wait_for_end().state, JobState::successful);
+  EXPECT_EQ(section().run, run);
+  EXPECT_EQ(section().attempts, 1);
 }
 
 TEST_F(DispatcherTest, AFolderLeftByATryThatWasNeverStoredIsNotUsed) {

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/server/executor_suite.hpp"
 #include "tests/server/temporary_folder.hpp"
 
 namespace leda::server {
@@ -16,7 +17,18 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A program that is called as a worker is: simulate CASE --out FOLDER.
+using tests::ExecutorKind;
+using tests::ExecutorSuite;
+
+INSTANTIATE_TEST_SUITE_P(Local, ExecutorSuite,
+                         testing::Values(ExecutorKind{
+                             "local",
+                             [](const auto& program, const auto& limits, const auto&) {
+                               return std::make_unique<LocalExecutor>(program, 2, limits);
+                             }}),
+                         [](const auto& kind) { return kind.param.name; });
+
+/// What only processes of this machine promise.
 class LocalExecutorTest : public testing::Test {
  protected:
   std::filesystem::path program(const std::string& body) {
@@ -51,70 +63,10 @@ class LocalExecutorTest : public testing::Test {
   tests::TemporaryFolder folder;
 };
 
-TEST_F(LocalExecutorTest, CallsTheProgramWithoutAShellAndKeepsItsOutput) {
-  LocalExecutor executor(program("echo \"$# $1 $3\"; echo \"$2\" >&2"), 2);
-  executor.submit(order("a b;$(touch x)'"));
-  EXPECT_EQ(executor.free_slots(), 1U);
-  const RunEnd end = wait_for_end(executor);
-  EXPECT_EQ(end.how, RunEnd::How::exited);
-  EXPECT_EQ(end.exit_code, 0);
-  EXPECT_EQ(executor.free_slots(), 2U);
-  const std::string log = text("a b;$(touch x)'/log.txt");
-  EXPECT_NE(log.find("4 simulate --out"), std::string::npos) << log;
-  EXPECT_NE(log.find("a b;$(touch x)'/case.json"), std::string::npos) << log;
-}
-
-TEST_F(LocalExecutorTest, TellsTheExitCode) {
-  LocalExecutor executor(program("exit 3"), 1);
-  executor.submit(order("r"));
-  const RunEnd end = wait_for_end(executor);
-  EXPECT_EQ(end.run, "r");
-  EXPECT_EQ(end.exit_code, 3);
-  EXPECT_FALSE(end.reason.empty());
-}
-
-TEST_F(LocalExecutorTest, TellsTheSignalAWorkerDiedOf) {
-  LocalExecutor executor(program("kill -9 $$"), 1);
-  executor.submit(order("r"));
-  const RunEnd end = wait_for_end(executor);
-  EXPECT_EQ(end.how, RunEnd::How::killed);
-  EXPECT_NE(end.reason.find("signal 9"), std::string::npos) << end.reason;
-}
-
-TEST_F(LocalExecutorTest, AProgramThatIsNotThereEndsTheRun) {
-  LocalExecutor executor(folder.path() / "nothing", 1);
-  executor.submit(order("r"));
-  EXPECT_EQ(wait_for_end(executor).exit_code, 127);
-  EXPECT_NE(text("r/log.txt").find("could not be started"), std::string::npos);
-}
-
-TEST_F(LocalExecutorTest, AFolderThatIsNotThereEndsTheRun) {
-  LocalExecutor executor(program("exit 0"), 1);
-  executor.submit({"r", folder.path() / "nothing"});
-  EXPECT_EQ(wait_for_end(executor).how, RunEnd::How::killed);
-}
-
-TEST_F(LocalExecutorTest, CancelsEvenAWorkerThatDoesNotListen) {
-  LocalExecutor executor(program("trap '' TERM; echo up; while :; do sleep 0.1; done"), 1);
-  executor.submit(order("r"));
-  while (text("r/log.txt").empty()) std::this_thread::sleep_for(10ms);
-  executor.cancel("r");
-  executor.cancel("unknown");
-  EXPECT_EQ(wait_for_end(executor).how, RunEnd::How::cancelled);
-}
-
 TEST_F(LocalExecutorTest, EndsARunThatTakesTooLong) {
   RunLimits limits;
   limits.wall = 1s;
   LocalExecutor executor(program("exec sleep 60"), 1, limits);
-  executor.submit(order("r"));
-  EXPECT_EQ(wait_for_end(executor).how, RunEnd::How::over_limit);
-}
-
-TEST_F(LocalExecutorTest, EndsARunThatUsesTooMuchProcessorTime) {
-  RunLimits limits;
-  limits.cpu_s = 1;
-  LocalExecutor executor(program("while :; do :; done"), 1, limits);
   executor.submit(order("r"));
   EXPECT_EQ(wait_for_end(executor).how, RunEnd::How::over_limit);
 }
