@@ -152,6 +152,7 @@ SectionResult simulate(const Section& section, const RunSettings& settings,
   std::string used = "none";
   StageEnd end;
   if (!listener.resume_from.empty()) load_state(listener.resume_from, run);
+  if (!listener.resume_from.empty() && listener.resumed) listener.resumed(run.resumed);
   std::optional<StageEnd> early;
   if (!run.resumed) early = find_initial_stress(run);
   if (!run.resumed && !early) show_frame(run);

@@ -29,6 +29,9 @@ struct Listener {
   /// A state that checkpoint got from the same case and program: the run goes on from there and
   /// gives the same result and the same later frames as one that was never interrupted.
   std::string resume_from;
+  /// Told once, before the first frame, where resume_from is given: whether the run goes on from
+  /// it. False: it is no state of this run, which starts anew.
+  std::function<void(bool taken_up)> resumed;
 };
 
 /// Runs one section, serially and with the same bytes every time.

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "server/commands/commands.hpp"
@@ -20,6 +23,8 @@ struct Options {
   std::filesystem::path case_file;
   std::filesystem::path out;
   bool json = false;
+  bool keep_checkpoint = false;
+  double checkpoint_interval_s = RunOptions{}.checkpoint_interval_s;
 };
 
 std::string text_of(const std::filesystem::path& file) {
@@ -45,13 +50,40 @@ void print_summary(const SectionResult& r, const std::filesystem::path& out) {
   fmt::print("{}\n", (out / "result.json").string());
 }
 
+/// Runs the case. What a server has to tell apart has an exit code of its own.
+RunOutcome run(const Options& options, const RunOptions& run_options) {
+  RunOutcome outcome;
+  try {
+    return run_case(text_of(options.case_file), options.out, run_options);
+  } catch (const std::bad_alloc&) {
+    outcome.code = ExitCode::out_of_memory;
+    rlimit limit{};
+    getrlimit(RLIMIT_AS, &limit);
+    fmt::print(
+        stderr, "error: the run needs more memory than {}\n",
+        limit.rlim_cur == RLIM_INFINITY
+            ? "there is"
+            : fmt::format("the {:.3g} GB it may use", static_cast<double>(limit.rlim_cur) / 1e9));
+  } catch (const std::exception& error) {
+    if (!tells_of_full_disk(error)) throw;
+    outcome.code = ExitCode::disk_full;
+    fmt::print(stderr, "error: {}\n", error.what());
+  }
+  return outcome;
+}
+
 int simulate(const Options& options) {
   const InterruptSignals signals;
+  // A limit on the size of files then tells itself as an error, like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
-  RunOptions run;
-  run.interrupted = InterruptSignals::arrived;
-  if (terminal) run.progress = show_progress;
-  const RunOutcome outcome = run_case(text_of(options.case_file), options.out, run);
+  RunOptions run_options;
+  run_options.interrupted = InterruptSignals::arrived;
+  run_options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+  run_options.keep_checkpoint = options.keep_checkpoint;
+  run_options.checkpoint_interval_s = options.checkpoint_interval_s;
+  if (terminal) run_options.progress = show_progress;
+  const RunOutcome outcome = run(options, run_options);
   if (terminal && outcome.code != ExitCode::invalid) fmt::print(stderr, "\n");
 
   for (const Fault& fault : outcome.faults) {
@@ -74,9 +106,17 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command->add_option("--out", options->out, "folder of the result; made where it is missing")
       ->required();
   command->add_flag("--json", options->json, "print result.json");
+  command
+      ->add_option("--checkpoint-interval-s", options->checkpoint_interval_s,
+                   "time between checkpoints, s")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command->add_flag("--keep-checkpoint", options->keep_checkpoint,
+                    "leave the last checkpoint beside the result");
   command->footer(
       "Exit codes: 0 a result stands, 2 the case is invalid, 3 the run was unstable, "
-      "4 interrupted.");
+      "4 interrupted (the same command goes on), 5 the disk is full (the same), "
+      "6 the run needs more memory than it may use.");
   command->callback(
       [options, &exit_code] { exit_code = guarded([&] { return simulate(*options); }); });
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -38,12 +37,15 @@ class ProgressFile {
     if (same_stage && Clock::now() - written_ < std::chrono::milliseconds(250)) return;
     stage_ = progress.stage;
     written_ = Clock::now();
-    write_whole(file_, nlohmann::json{{"fraction", progress.fraction},
-                                      {"time_s", progress.time_s},
-                                      {"stage", progress.stage},
-                                      {"updated", utc_now()}}
-                               .dump() +
-                           "\n");
+    const nlohmann::json document = {{"fraction", progress.fraction},
+                                     {"time_s", progress.time_s},
+                                     {"stage", progress.stage},
+                                     {"updated", utc_now()}};
+    try {
+      write_whole(file_, document.dump() + "\n");
+    } catch (const FileError&) {
+      // A run does not end because nobody can be told how far it is.
+    }
   }
 
  private:
@@ -58,59 +60,90 @@ std::vector<std::string> material_names(const Section& section) {
   return names;
 }
 
-SectionResult simulate_into(const CaseFile& run, const std::string& sha256, const fs::path& folder,
-                            const RunOptions& options) {
-  db::ResultFileWriter fields(folder / "fields.h5", material_names(run.section), sha256,
-                              LEDA_VERSION);
-  std::optional<db::ViewWriter> view;
-  if (run.settings.output.paraview) view.emplace(folder);
-  ProgressFile progress(folder / "progress.json");
-  RunCheckpoint checkpoint(folder, sha256, LEDA_VERSION);
-  const auto show = [&](const Frame& frame) {
-    fields.append(frame);
-    if (view) view->append(frame);
-  };
+/// The files of one run, and the checkpoints that let another process go on with it.
+class RunFiles {
+ public:
+  RunFiles(const CaseFile& run, const std::string& sha256, const fs::path& folder,
+           const RunOptions& options)
+      : options_(options),
+        fields_(folder / "fields.h5", material_names(run.section), sha256, LEDA_VERSION),
+        progress_(folder / "progress.json"),
+        checkpoint_(folder, sha256, LEDA_VERSION) {
+    if (run.settings.output.paraview) view_.emplace(folder);
+  }
 
-  solver::Listener listener;
-  auto left = checkpoint.read();
-  if (left.state.empty()) checkpoint.remove();
-  for (const Frame& frame : left.frames) show(frame);
-  listener.resume_from = std::move(left.state);
-  listener.checkpoint = [&](const std::string& state, std::int64_t frames) {
-    checkpoint.keep(state, frames);
-  };
-  listener.progress = [&](const solver::Progress& p) {
-    progress.write(p);
-    if (options.progress) options.progress(p);
-  };
-  listener.frame = [&](const Frame& frame) {
-    show(frame);
-    checkpoint.add(frame);
-  };
-  listener.interrupted = options.interrupted;
-  SectionResult result = solver::simulate(run.section, run.settings, listener);
-  if (result.status == RunStatus::interrupted) return result;
-  fields.close();
-  if (view) view->close();
-  checkpoint.remove();
-  return result;
-}
+  /// The listener refers to this object.
+  solver::Listener listener() {
+    left_ = checkpoint_.read();
+    if (!left_.refused.empty()) {
+      say("the checkpoint is refused, the run starts anew: " + left_.refused);
+    }
+    if (left_.state.empty()) checkpoint_.begin();
+    solver::Listener listener;
+    listener.resume_from = std::move(left_.state);
+    listener.resumed = [this](bool taken_up) { taken_up ? go_on() : begin(); };
+    listener.checkpoint_interval_s = options_.checkpoint_interval_s;
+    listener.checkpoint = [this](const std::string& state, std::int64_t frames) {
+      keep(state, frames);
+    };
+    listener.progress = [this](const solver::Progress& p) {
+      progress_.write(p);
+      if (options_.progress) options_.progress(p);
+    };
+    listener.frame = [this](const Frame& frame) {
+      show(frame);
+      checkpoint_.add(frame);
+    };
+    listener.interrupted = options_.interrupted;
+    return listener;
+  }
+
+  void close() {
+    fields_.close();
+    if (view_) view_->close();
+  }
+
+ private:
+  void say(const std::string& line) const {
+    if (options_.say) options_.say(line);
+  }
+
+  void show(const Frame& frame) {
+    fields_.append(frame);
+    if (view_) view_->append(frame);
+  }
+
+  void go_on() {
+    checkpoint_.go_on();
+    for (const Frame& frame : left_.frames) show(frame);
+    say(fmt::format("goes on from its checkpoint, {} frames", left_.frames.size()));
+    left_ = {};
+  }
+
+  void begin() {
+    checkpoint_.begin();
+    say("the checkpoint is refused, the run starts anew: it is no state of this run");
+    left_ = {};
+  }
+
+  void keep(const std::string& state, std::int64_t frames) {
+    try {
+      checkpoint_.keep(state, frames);
+    } catch (const FileError& error) {
+      // The run itself is sound, and the checkpoint before this one stands.
+      say(std::string("no checkpoint: ") + error.what());
+    }
+  }
+
+  const RunOptions& options_;
+  db::ResultFileWriter fields_;
+  std::optional<db::ViewWriter> view_;
+  ProgressFile progress_;
+  RunCheckpoint checkpoint_;
+  RunCheckpoint::Left left_;
+};
 
 }  // namespace
-
-void write_whole(const fs::path& file, std::string_view text) {
-  fs::path part = file;
-  part += ".part";
-  std::ofstream out(part, std::ios::binary | std::ios::trunc);
-  out.write(text.data(), std::streamsize(text.size()));
-  out.close();
-  std::error_code failed;
-  if (out) fs::rename(part, file, failed);
-  if (out && !failed) return;
-  std::error_code ignored;
-  fs::remove(part, ignored);
-  throw std::runtime_error(fmt::format("{} could not be written", file.string()));
-}
 
 RunOutcome run_case(std::string_view case_text, const fs::path& folder, const RunOptions& options) {
   RunOutcome outcome;
@@ -124,11 +157,14 @@ RunOutcome run_case(std::string_view case_text, const fs::path& folder, const Ru
   // A result of an earlier run must not stand beside the fields of this one.
   fs::remove(folder / "result.json");
   const std::string sha256 = case_sha256(*parsed.value);
-  SectionResult result = simulate_into(*parsed.value, sha256, folder, options);
+  RunFiles files(*parsed.value, sha256, folder, options);
+  SectionResult result =
+      solver::simulate(parsed.value->section, parsed.value->settings, files.listener());
   if (result.status == RunStatus::interrupted) {
     outcome.code = ExitCode::interrupted;
     return outcome;
   }
+  files.close();
   result.case_sha256 = sha256;
   result.version = LEDA_VERSION;
   const std::string text = result_text(result);
@@ -140,8 +176,9 @@ RunOutcome run_case(std::string_view case_text, const fs::path& folder, const Ru
         fmt::format("the solver gave an impossible result: {} {}", fault.pointer, fault.message));
   }
   result = std::move(*written.value);
-  write_whole(folder / "profile_after.csv", profile_csv(result.profile_after));
-  write_whole(folder / "result.json", text);
+  write_durably(folder / "profile_after.csv", profile_csv(result.profile_after));
+  write_durably(folder / "result.json", text);
+  if (!options.keep_checkpoint) remove_checkpoint(folder);
   outcome.code = result.status == RunStatus::unstable ? ExitCode::unstable : ExitCode::result;
   outcome.result = std::move(result);
   return outcome;

@@ -4,20 +4,35 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "server/documents/whole_file.hpp"
 #include "solver/section/section_result.hpp"
 #include "solver/section/validate.hpp"
 #include "solver/simulate.hpp"
 
 namespace leda::server {
 
-enum class ExitCode { result = 0, failure = 1, invalid = 2, unstable = 3, interrupted = 4 };
+enum class ExitCode {
+  result = 0,
+  failure = 1,
+  invalid = 2,
+  unstable = 3,
+  interrupted = 4,
+  disk_full = 5,     ///< or a quota used up; what stands is sound
+  out_of_memory = 6  ///< more was asked for than the run may use
+};
 
 struct RunOptions {
   std::function<void(const solver::Progress&)> progress;  ///< beside progress.json
   std::function<bool()> interrupted;                      ///< true ends the run
+  std::function<void(const std::string&)> say;            ///< lines for the log
+  double checkpoint_interval_s = 10;                      ///< of the wall clock
+  /// Leaves the last checkpoint beside the result, so that a result that turns out damaged costs
+  /// no more than the steps since then. Whoever takes the result in removes it.
+  bool keep_checkpoint = false;
 };
 
 struct RunOutcome {
@@ -28,12 +43,10 @@ struct RunOutcome {
 
 /// Runs a case and writes progress.json (several times a second, always whole), fields.h5,
 /// view.pvd where the case asks for it, profile_after.csv and, last, result.json. An interrupted
-/// run leaves no result.json. An invalid case changes nothing.
-/// Throws std::runtime_error naming the file when one cannot be written.
+/// run leaves no result.json. An invalid case changes nothing. A checkpoint in the folder that is
+/// of this case and version is gone on from, another one is refused with a line to `say`.
+/// Throws std::runtime_error naming the file when one cannot be written, std::bad_alloc.
 RunOutcome run_case(std::string_view case_text, const std::filesystem::path& folder,
                     const RunOptions& options = {});
-
-/// Writes a file under a temporary name beside it, then renames: readers see all or nothing.
-void write_whole(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace leda::server

@@ -113,35 +113,77 @@ TEST_F(RunFolder, AnInterruptedRunGoesOnWhereItStopped) {
   }
 }
 
-TEST_F(RunFolder, ACheckpointThatCannotBeTrustedIsIgnored) {
-  const std::string text = test::read_case("small-bank.json");
+/// Interrupts a run after some simulated time, so that its checkpoint stands.
+void interrupt(const std::string& text, const fs::path& folder) {
   double reached = 0;
   RunOptions options;
   options.progress = [&](const solver::Progress& p) { reached = p.time_s; };
   options.interrupted = [&] { return reached > 0.3; };
   ASSERT_EQ(run_case(text, folder, options).code, ExitCode::interrupted);
-  const std::string good = read("checkpoint.bin");
-  for (const std::string& bad :
-       {std::string("nonsense"), good.substr(0, good.size() - 1), good + "x", std::string()}) {
-    std::ofstream(folder / "checkpoint.bin", std::ios::binary | std::ios::trunc) << bad;
-    EXPECT_TRUE(
-        RunCheckpoint(folder, case_sha256(*parse_case_file(text).value), "0").read().state.empty());
-    EXPECT_EQ(run_case(text, folder, {}).code, ExitCode::result);
+}
+
+void replace(const fs::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+// As a whole run gives them, without what depends on the clock.
+nlohmann::json numbers_of(const RunOutcome& outcome) {
+  auto document = nlohmann::json::parse(result_text(outcome.result.value()));
+  document.erase("run_time_s");
+  document.erase("ns_per_particle_step");
+  return document;
+}
+
+TEST_F(RunFolder, ACheckpointThatCannotBeTrustedIsRefusedWithALine) {
+  const std::string text = test::read_case("small-bank.json");
+  interrupt(text, folder);
+  const std::string good = read("checkpoint.bin"), frames = read("frames.bin");
+  const auto whole = numbers_of(run_case(text, folder / "whole"));
+  const std::size_t frame_count = db::read_result_file(folder / "whole" / "fields.h5").size();
+  // A sound checkpoint with a state that the solver does not know: of another build, say.
+  fs::create_directories(folder / "foreign");
+  RunCheckpoint foreign(folder / "foreign", case_sha256(*parse_case_file(text).value),
+                        LEDA_VERSION);
+  foreign.begin();
+  foreign.keep("nonsense", 0);
+  const std::string unknown_state = read("foreign/checkpoint.bin");
+  for (const std::string& bad : {std::string("nonsense"), good.substr(0, good.size() - 1),
+                                 good + "x", std::string(), unknown_state}) {
+    replace(folder / "checkpoint.bin", bad);
+    replace(folder / "frames.bin", frames);
+    std::string said;
+    RunOptions options;
+    options.say = [&](const std::string& line) { said += line; };
+    EXPECT_EQ(numbers_of(run_case(text, folder, options)), whole);
+    EXPECT_NE(said.find("refused, the run starts anew"), std::string::npos) << said;
+    EXPECT_EQ(db::read_result_file(folder / "fields.h5").size(), frame_count);
   }
+}
+
+TEST_F(RunFolder, KeepsItsLastCheckpointUntilTheResultIsTakenIn) {
+  const std::string text = test::read_case("small-bank.json");
+  RunOptions options;
+  options.keep_checkpoint = true;
+  options.checkpoint_interval_s = 0;
+  const auto whole = numbers_of(run_case(text, folder, options));
+  EXPECT_TRUE(fs::exists(folder / "checkpoint.bin"));
+  const auto fields = db::read_result_file(folder / "fields.h5");
+  std::string said;
+  bool began_anew = false;
+  options.say = [&](const std::string& line) { said += line; };
+  options.progress = [&](const solver::Progress& p) { began_anew |= p.time_s < 0.3; };
+  EXPECT_EQ(numbers_of(run_case(text, folder, options)), whole);
+  EXPECT_NE(said.find("goes on from its checkpoint"), std::string::npos) << said;
+  EXPECT_FALSE(began_anew);
+  const auto again = db::read_result_file(folder / "fields.h5");
+  ASSERT_EQ(again.size(), fields.size());
+  EXPECT_EQ(again.back().x, fields.back().x);
 }
 
 TEST_F(RunFolder, WhatCannotBeWrittenIsNamed) {
   std::ofstream(folder.string()) << "a file where the folder should be";
   EXPECT_THROW(run_case(test::read_case("small-bank.json"), folder), std::runtime_error);
   EXPECT_THROW(write_whole(folder / "x.json", "{}"), std::runtime_error);
-}
-
-TEST_F(RunFolder, WriteWholeReplaces) {
-  fs::create_directories(folder);
-  write_whole(folder / "a.txt", "first, longer");
-  write_whole(folder / "a.txt", "second");
-  EXPECT_EQ(read("a.txt"), "second");
-  EXPECT_FALSE(fs::exists(folder / "a.txt.part"));
 }
 
 }  // namespace
