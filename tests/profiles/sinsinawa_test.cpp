@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "profiles/dem.hpp"
+#include "tests/verification/record.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -35,8 +36,7 @@ TEST(Sinsinawa, BilinearSamplesAgreeWithTheSurveyedPoints) {
   }
   EXPECT_EQ(count, 3522);
   const double rmse_feet = std::sqrt(squares / count);
-  RecordProperty("rmse_feet", std::to_string(rmse_feet));
-  std::printf("bilinear RMSE at %d surveyed points: %.4f ft\n", count, rmse_feet);
+  leda::test::record(rmse_feet, " ft over ", count, " points");
   EXPECT_LE(rmse_feet, 0.20);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/screening/banks.hpp"
+#include "tests/verification/record.hpp"
 
 namespace leda::solver {
 namespace {
@@ -41,6 +42,7 @@ TEST(LimitEquilibrium, Acads1a) {
   EXPECT_NEAR(*f.spencer, 0.986, 0.005);
   EXPECT_NEAR(*f.morgenstern_price, 0.986, 0.005);
   EXPECT_NEAR(*f.bishop, 1.0, 0.02);
+  leda::test::record("Bishop ", *f.bishop, ", Spencer ", *f.spencer);
 }
 
 // Griffiths and Lane (1999), example 1: 1.4 by finite elements, 1.380 by the charts of Bishop and
@@ -53,6 +55,7 @@ TEST(LimitEquilibrium, GriffithsAndLane1) {
   EXPECT_NEAR(*f.spencer, 1.380, 0.01);
   EXPECT_NEAR(*f.morgenstern_price, 1.380, 0.01);
   EXPECT_NEAR(*f.bishop, 1.4, 0.03);
+  leda::test::record("Bishop ", *f.bishop, ", Spencer ", *f.spencer);
 }
 
 /// Least factor of whole arcs through a dense net of centres and depths: an independent search,
@@ -116,12 +119,16 @@ TEST(LimitEquilibrium, TaylorsChart) {
 // A vertical cut: 3.831 by slip circles (Taylor 1937), between 3.775 and 3.777 exactly, 4 by wedge.
 TEST(LimitEquilibrium, VerticalCut) {
   const double found = undrained(plane_bank(1, 90, 3, clay_of(1, 1)));
+  leda::test::record(found);
   EXPECT_NEAR(found, 3.831, 0.005);
   EXPECT_GT(found, 3.775);
 }
 
 TEST(LimitEquilibrium, InfiniteSlopeIsStatics) {
-  EXPECT_NEAR(infinite_slope_undrained(20e3, 17e3, 5, 15 * std::numbers::pi / 180), 0.94118, 1e-5);
+  const double found = infinite_slope_undrained(20e3, 17e3, 5, 15 * std::numbers::pi / 180);
+  // s_u / (gamma z sin b cos b) = 40 / (17 * 5 * sin 30)
+  leda::test::record("off by ", std::abs(found / (40.0 / 42.5) - 1));
+  EXPECT_NEAR(found, 40.0 / 42.5, 1e-6);
 }
 
 // A long slope on a base parallel to it fails along the base as an endless one does.

@@ -5,6 +5,7 @@
 
 #include "solver/materials/softening.hpp"
 #include "tests/solver/block.hpp"
+#include "tests/verification/record.hpp"
 
 namespace leda::solver::test {
 namespace {
@@ -24,6 +25,7 @@ TEST(Tresca, ElasticSimpleShearIsThatOfTheJaumannRate) {
   const double g = 1e6;
   Block b = element({2.6e6, 0.3, 1000, 1e30});
   const int steps = 4000;
+  double off = 0;
   for (int i = 0; i < 4 * steps; ++i) {
     b.strain(0, 1, 0, 0, 0.5 / steps);
     const double gamma = 0.5 * (i + 1) / steps;
@@ -31,7 +33,10 @@ TEST(Tresca, ElasticSimpleShearIsThatOfTheJaumannRate) {
     EXPECT_NEAR(b.particles.sxz[0], g * std::sin(gamma), 1e-3 * g);
     EXPECT_NEAR(b.particles.sxx[0], g * (1 - std::cos(gamma)), 1e-3 * g);
     EXPECT_NEAR(b.particles.szz[0], -b.particles.sxx[0], 1e-6 * g);
+    off = std::max({off, std::abs(b.particles.sxz[0] / g - std::sin(gamma)),
+                    std::abs(b.particles.sxx[0] / g - 1 + std::cos(gamma))});
   }
+  leda::test::record("largest ", 100 * off, " % of G");
 }
 
 // validation case von_mises_vs_tresca_plane_strain: flow without volume change at radius s_u,
@@ -42,6 +47,9 @@ TEST(Tresca, PlaneFlowHasTheUndrainedStrength) {
   const auto s = principal(b.particles);
   EXPECT_NEAR(s[2] - s[0], 2 * 40500.0, 1);
   EXPECT_NEAR(s[1], 0.5 * (s[0] + s[2]), 1);
+  leda::test::record("strength off by ", 100 * std::abs((s[2] - s[0]) / 81000.0 - 1),
+                     " %, middle stress by ", 100 * std::abs(s[1] - 0.5 * (s[0] + s[2])) / 40500,
+                     " % of s_u");
 }
 
 // Closed form: after first yield at gamma_y = s_u / G, all further shear is plastic.
@@ -96,7 +104,7 @@ TEST(Tresca, SofteningElementFollowsEquation42) {
   t.line_end = {curve.line_end};
   t.last = {curve.last};
   t.softens = {1};
-  double largest = 0;
+  double largest = 0, off = 0;
   for (int i = 0; i < 100000; ++i) {
     const double gamma = b.particles.plastic_strain[0];
     b.strain(0.5e-4, 0, 0, -0.5e-4, 1);
@@ -105,7 +113,9 @@ TEST(Tresca, SofteningElementFollowsEquation42) {
     if (b.particles.plastic_strain[0] == gamma) continue;
     const double expected = gamma > 0 ? strength(curve, gamma) : peak;
     ASSERT_NEAR((s[2] - s[0]) / 2, expected, 1e-3 * peak) << "at plastic strain " << gamma;
+    off = std::max(off, std::abs((s[2] - s[0]) / 2 - expected));
   }
+  leda::test::record("largest ", 100 * off / peak, " % of s_up");
   EXPECT_NEAR(largest, peak, 0.01 * peak);  // the peak is held until the first yield
   EXPECT_NEAR(b.particles.plastic_strain[0], 10, 0.05);
   const auto s = principal(b.particles);

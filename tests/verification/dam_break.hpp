@@ -16,7 +16,8 @@ struct DamBreak {
 };
 
 /// Water: rho = 1000 kg/m3, bulk modulus for a speed of sound of 20 sqrt(g H), so that density
-/// stays within about 1 %; a strength and a shear modulus that carry a thousandth of its weight.
+/// stays within about 1 %; a shear modulus of a thousandth of it, and a strength that carries a
+/// thousandth of the column's weight.
 class Fluid {
  public:
   static constexpr double g = 9.81, density = 1000;

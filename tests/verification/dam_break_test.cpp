@@ -3,9 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <numbers>
+
+#include "tests/verification/record.hpp"
 
 namespace leda::solver::test {
 namespace {
+
+using Path = std::vector<std::array<double, 2>>;  // time, value
+
+double at(const Path& path, double time) {
+  const auto next = std::lower_bound(path.begin(), path.end(), time,
+                                     [](const auto& p, double v) { return p[0] < v; });
+  return next == path.end() ? path.back()[1] : (*next)[1];
+}
 
 // validation case martin_moyce_dambreak (Martin and Moyce 1952, Table 2): a = 0.05715 m, column 2a
 // high; Z = front / a over T = t sqrt(2 g / a), 12 %, with the gate's offset of T between 0 and
@@ -17,23 +28,48 @@ TEST(DamBreak, FrontOfMartinAndMoyce) {
                              2.78, 3.00, 3.22, 3.44, 3.67, 3.89, 4.11};
   const double a = 0.05715, unit = std::sqrt(a / (2 * Fluid::g));
   Fluid fluid({.width = a, .height = 2 * a, .room = 5 * a, .cell = a / 16});
-  std::vector<std::array<double, 2>> path;
+  Path path;
   for (double t = 0; t < 3.4 * unit; t += fluid.advance())
     path.push_back({t / unit, fluid.front(0.005 * 2 * a * a) / a});
-  const auto at = [&](double T) {
-    const auto next = std::lower_bound(path.begin(), path.end(), T,
-                                       [](const auto& p, double v) { return p[0] < v; });
-    return next == path.end() ? path.back()[1] : (*next)[1];
-  };
   double best = 1;
   for (double offset = 0; offset <= 0.3; offset += 0.02) {
     double worst = 0;
     for (std::size_t i = 0; i < time.size(); ++i) {
-      worst = std::max(worst, std::abs(at(time[i] - offset) / reach[i] - 1));
+      worst = std::max(worst, std::abs(at(path, time[i] - offset) / reach[i] - 1));
     }
     best = std::min(best, worst);
   }
-  RecordProperty("largest deviation", std::to_string(best));
+  leda::test::record("largest ", 100 * best, " %");
+  EXPECT_LT(best, 0.12);
+}
+
+// validation case martin_moyce_dambreak, Table 6: what is left of the column's height at the wall,
+// H = h / (2 a) over Y = t sqrt(g / a), 12 %; the same gate, so the same offset, 0 to 0.3 of T. The
+// first 12 points, down to a third of the height: what is left then runs off too slowly. Not its
+// strength does that (a hundredth of it changes nothing); the solver's fluid takes tension, and so
+// clings to the wall and to a base that sticks.
+TEST(DamBreak, HeightOfMartinAndMoyce) {
+  constexpr std::array time{0.56, 0.77, 0.93, 1.08, 1.28, 1.46, 1.66, 1.84, 2.00,
+                            2.21, 2.45, 2.70, 3.06, 3.44, 4.20, 5.25, 7.40};
+  constexpr std::array left{0.94, 0.89, 0.83, 0.78, 0.72, 0.67, 0.61, 0.56, 0.50,
+                            0.44, 0.39, 0.33, 0.28, 0.22, 0.17, 0.11, 0.06};
+  constexpr std::size_t first = 12;
+  const double a = 0.05715, unit = std::sqrt(a / Fluid::g), cell = a / 16;
+  Fluid fluid({.width = a, .height = 2 * a, .room = 24 * a, .cell = cell});
+  Path path;
+  for (double t = 0; t < 7.5 * unit; t += fluid.advance())
+    path.push_back({t / unit, fluid.depth(cell) / (2 * a)});
+  double best = 1;
+  for (double offset = 0; offset <= 0.3 / std::numbers::sqrt2; offset += 0.02) {
+    double worst = 0;
+    for (std::size_t i = 0; i < first; ++i) {
+      worst = std::max(worst, std::abs(at(path, time[i] - offset) / left[i] - 1));
+    }
+    best = std::min(best, worst);
+  }
+  leda::test::record("largest ", 100 * best, " % down to H = ", left[first - 1], "; later H ",
+                     at(path, time[13]), ", ", at(path, time[16]), " where ", left[13], ", ",
+                     left[16], " was seen");
   EXPECT_LT(best, 0.12);
 }
 
@@ -49,8 +85,7 @@ TEST(DamBreak, FrontAndDepthOfRitter) {
   const double way = t * (2 * std::sqrt(Fluid::g * h0) - std::cbrt(27 * Fluid::g * ahead / t));
   const double ratio = (fluid.front(ahead) - dam) / way;
   const double depth = fluid.depth(dam) / h0;
-  RecordProperty("way of the front over that of Ritter", std::to_string(ratio));
-  RecordProperty("depth at the dam", std::to_string(depth));
+  leda::test::record("way of the front ", ratio, " of Ritter's, depth at the dam ", depth, " h0");
   EXPECT_GT(ratio, 0.75);
   EXPECT_LT(ratio, 1.0);
   EXPECT_NEAR(depth, 4.0 / 9, 0.15 * 4 / 9);

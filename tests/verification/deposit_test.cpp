@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/solver/block.hpp"
+#include "tests/verification/record.hpp"
 
 namespace leda::solver::test {
 namespace {
@@ -38,16 +39,14 @@ Deposit slump(double width, double height, double room, double tau, double cell)
 // stress ends with h^2 = 2 tau (L - x) / (rho g), L = (9 A^2 rho g / (8 tau))^(1/3), within 15 %.
 TEST(Deposit, SoftSheetComesToRestWhereItsYieldStressHoldsIt) {
   const Deposit d = slump(16, 3.125, 50, 1000, 0.25);
-  RecordProperty("front", std::to_string(d.front));
-  RecordProperty("height", std::to_string(d.height));
+  leda::test::record("L ", d.front, " m, h ", d.height, " m");
   EXPECT_NEAR(d.front, 36.295, 0.15 * 36.295);
   EXPECT_NEAR(d.height, std::sqrt(2 * 1000 * 36.295 / 17000), 0.15 * 2.07);
 }
 
 TEST(Deposit, ShorterSheetComesToRestWhereItsYieldStressHoldsIt) {
   const Deposit d = slump(6, 12.5 / 6, 20, 1500, 0.125);
-  RecordProperty("front", std::to_string(d.front));
-  RecordProperty("height", std::to_string(d.height));
+  leda::test::record("L ", d.front, " m, h ", d.height, " m");
   EXPECT_NEAR(d.front, 12.5828, 0.15 * 12.5828);
   EXPECT_NEAR(d.height, std::sqrt(2 * 1500 * 12.5828 / 17000), 0.15 * 1.49);
 }

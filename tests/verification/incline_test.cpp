@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "tests/solver/block.hpp"
+#include "tests/verification/record.hpp"
 
 namespace leda::solver::test {
 namespace {
@@ -51,6 +52,8 @@ TEST(Incline, ALayerStopsAtItsYieldDepth) {
   const double thick = 0.70, thicker = 0.80;
   const double a = acceleration(thick, 0.0125), b = acceleration(thicker, 0.0125);
   // a = g sin(theta) (1 - stop / h): each gives a depth at which the layer would stop.
+  leda::test::record(thick * (1 - a / (g * std::sin(slope))), " m, ",
+                     thicker * (1 - b / (g * std::sin(slope))), " m");
   EXPECT_NEAR(thick * (1 - a / (g * std::sin(slope))), stop, 0.03 * stop);
   EXPECT_NEAR(thicker * (1 - b / (g * std::sin(slope))), stop, 0.03 * stop);
 }

@@ -4,6 +4,8 @@
 
 #include <numbers>
 
+#include "tests/verification/record.hpp"
+
 namespace leda::solver::test {
 namespace {
 
@@ -23,6 +25,8 @@ void expect_orders(double across) {
         {.cells = cells, .across = across, .per_side = 4, .time_step_factor = 0.05});
   };
   const double coarse = error(8), middle = error(16), fine = error(32);
+  leda::test::record("errors ", coarse, ", ", middle, ", ", fine, " with 8, 16, 32 cells: order ",
+                     std::log2(coarse / middle), ", ", std::log2(middle / fine));
   EXPECT_GT(std::log2(coarse / middle), 1.8) << coarse << " " << middle;
   EXPECT_GT(std::log2(middle / fine), 0.8) << middle << " " << fine;
   EXPECT_LT(fine, 0.002);

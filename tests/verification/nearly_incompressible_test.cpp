@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "tests/verification/record.hpp"
 #include "tests/verification/strip_footing.hpp"
 
 namespace leda::solver::test {
@@ -12,7 +13,7 @@ namespace {
 TEST(NearlyIncompressible, StripFootingDoesNotLock) {
   const double factor = bearing_capacity_factor({.cells = 8, .poisson_ratio = 0.499});
   const double softer = bearing_capacity_factor({.cells = 8, .poisson_ratio = 0.45});
-  RecordProperty("factor", std::to_string(factor));
+  leda::test::record(factor, " s_u, at 0.45 ", softer, " s_u");
   EXPECT_NEAR(factor, softer, 0.1 * softer);
   EXPECT_GT(factor, 0.98 * (2 + std::numbers::pi));
   EXPECT_LT(factor, 1.06 * (2 + std::numbers::pi));

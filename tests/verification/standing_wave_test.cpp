@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "tests/solver/block.hpp"
+#include "tests/verification/record.hpp"
 
 namespace leda::solver::test {
 namespace {
@@ -38,8 +39,9 @@ double velocity_error(double h) {
 TEST(StandingWave, VelocityConvergesWithFirstOrderOrBetter) {
   const double coarse = velocity_error(5), middle = velocity_error(2.5),
                fine = velocity_error(1.25);
-  RecordProperty(
-      "errors", std::to_string(coarse) + " " + std::to_string(middle) + " " + std::to_string(fine));
+  leda::test::record("errors ", coarse, ", ", middle, ", ", fine,
+                     " with cells of 5, 2.5, 1.25 m: order ", std::log2(coarse / middle), ", ",
+                     std::log2(middle / fine));
   EXPECT_GT(std::log2(coarse / middle), 0.8);
   EXPECT_GT(std::log2(middle / fine), 0.8);
 }

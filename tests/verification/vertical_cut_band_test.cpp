@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "tests/verification/record.hpp"
 #include "tests/verification/vertical_cut.hpp"
 
 namespace leda::solver::test {
@@ -7,8 +8,11 @@ namespace {
 
 // validation case vertical_cut_critical_height, both ends of its band, 40 cells over the height.
 TEST(VerticalCutBand, StandsAt3Point6AndFailsAt4Point1) {
-  EXPECT_FALSE(cut_fails(3.6, 0.5));
-  EXPECT_TRUE(cut_fails(4.1, 0.5));
+  const bool low = cut_fails(3.6, 0.5), high = cut_fails(4.1, 0.5);
+  leda::test::record(low ? "fails" : "stands", " at 3.6, ", high ? "fails" : "stands",
+                     " at 4.1, 40 cells over the height");
+  EXPECT_FALSE(low);
+  EXPECT_TRUE(high);
 }
 
 }  // namespace
