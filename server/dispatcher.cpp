@@ -90,10 +90,10 @@ void Dispatcher::dismiss(const std::string& id) {
 
 void Dispatcher::work() {
   std::unique_lock lock(mutex_);
-  executor_ = make_executor_();
   while (!stop_) {
     auto pause = between_turns;
     try {
+      if (!executor_) executor_ = make_executor_();
       turn();
       last_turn_ = std::chrono::steady_clock::now();
     } catch (const std::exception& error) {
@@ -102,7 +102,7 @@ void Dispatcher::work() {
     }
     wake_.wait_for(lock, pause, [this] { return stop_ || !to_take_up_.empty(); });
   }
-  wind_down();
+  if (executor_) wind_down();
   executor_.reset();
 }
 

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   leda::server::add_export(app, exit_code);
   leda::server::add_backup(app, exit_code);
   leda::server::add_purge(app, exit_code);
+  leda::server::add_array_task(app, exit_code);
   leda::server::add_token(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -19,6 +19,7 @@ void add_study(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_backup(CLI::App& app, int& exit_code);
 void add_purge(CLI::App& app, int& exit_code);
+void add_array_task(CLI::App& app, int& exit_code);
 void add_token(CLI::App& app, int& exit_code);
 
 }  // namespace leda::server
