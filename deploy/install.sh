@@ -1,18 +1,24 @@
 #!/usr/bin/env bash
 # Installs what deploy/packages.txt names and this Debian 12 does not have yet.
 #   deploy/install.sh            to build, test and run
+#   deploy/install.sh --cluster  also Slurm, to run sections on a cluster and to test that
+#   deploy/install.sh --clients  also the programs of users and operators that tests try
 #   deploy/install.sh --develop  also what work on the code needs
 # Needs root or sudo only when something is missing; quick and silent otherwise.
 set -euo pipefail
 cd "$(dirname "$0")"
 
-case "${1:-}" in
-  "") until='^\[develop\]' ;;
-  --develop) until='^$a' ;;  # matches no line: read to the end
-  *) echo "usage: deploy/install.sh [--develop]" >&2; exit 2 ;;
-esac
+sections=" "
+for argument; do
+  case $argument in
+    --cluster | --clients | --develop) sections+="[${argument#--}] " ;;
+    *) echo "usage: deploy/install.sh [--cluster] [--clients] [--develop]" >&2; exit 2 ;;
+  esac
+done
 
-wanted=$(sed -e "/$until/,\$d" -e 's/#.*//' -e '/^\[/d' packages.txt)
+wanted=$(sed 's/#.*//' packages.txt | awk -v sections="$sections" '
+  /^\[/ { other = index(sections, " " $1 " ") == 0; next }
+  !other { print }')
 missing=()
 for package in $wanted; do
   state=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
