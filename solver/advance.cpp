@@ -13,18 +13,39 @@ constexpr double most_travel = 0.5;  // cells, before the order of the particles
 constexpr double most_travel_a_step = 0.4;
 constexpr double most_energy_gain = 0.1;
 
+constexpr const char* left_model = "a particle left the model";
+
+std::optional<StageEnd> keep_sorted(RunState& run, PackedStage& stage) {
+  if (run.travel <= most_travel * run.seeded.grid.h && !is_untidy(stage)) return {};
+  if (!rearrange(stage.packs, stage.grid)) {
+    return StageEnd{StageEnd::Why::left_domain, left_model};
+  }
+  stage.strayed = 0;
+  run.travel = 0;
+  return {};
+}
+
 std::optional<StageEnd> keep_sorted(RunState& run) {
+  if (run.packed) return keep_sorted(run, *run.packed);
   const bool due = run.since_sort == 0 || run.since_sort >= most_steps_between_sorts ||
                    run.travel > most_travel * run.seeded.grid.h;
   if (due) {
     if (!sort_particles(run.seeded.particles, run.seeded.grid)) {
-      return StageEnd{StageEnd::Why::left_domain, "a particle left the model"};
+      return StageEnd{StageEnd::Why::left_domain, left_model};
     }
     run.since_sort = 0;
     run.travel = 0;
   }
   ++run.since_sort;
   return {};
+}
+
+// Whether the state after a step of dt is one that somebody looks at.
+bool is_looked_at(const RunState& run, double dt) {
+  const double then = run.time + dt;
+  const bool frames = run.settings->output.frame_interval_s > 0;
+  return then >= run.clock.next_look || (frames && then >= run.clock.next_frame) ||
+         then >= run.settings->stop.max_time_s;
 }
 
 // Positions that are held do no work the audit could follow: it looks at moving ground only.
@@ -53,13 +74,16 @@ std::optional<StageEnd> advance(RunState& run, const LawTable& laws, double damp
   const double dt = time_step(run.seeded.grid.h, laws.stiffest_speed, run.fastest,
                               run.settings->time_step_factor);
   const StepSettings settings{dt, gravity, damping, move};
-  const StepSums sums = step(run.seeded.particles, run.seeded.grid, laws, settings);
+  bool left_grid = false;
+  const StepSums sums = run.packed ? step(*run.packed, settings, is_looked_at(run, dt), left_grid)
+                                   : step(run.seeded.particles, run.seeded.grid, laws, settings);
   run.audit.add(sums, settings);
   run.fastest = std::sqrt(sums.particles.fastest_squared);
   run.travel += run.fastest * dt;
   run.time += dt;
   ++run.steps;
   run.particle_steps += static_cast<double>(run.seeded.particles.count);
+  if (left_grid) return StageEnd{StageEnd::Why::left_domain, left_model};
   return check(run, sums, dt, move);
 }
 

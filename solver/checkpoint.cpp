@@ -7,7 +7,7 @@ namespace leda::solver {
 
 namespace {
 
-constexpr std::uint64_t format = 0x4c454441'00000001;  // "LEDA", 1
+constexpr std::uint64_t format = 0x4c454441'00000002;  // "LEDA", 2
 
 class Writer {
  public:
@@ -116,6 +116,38 @@ void transfer_state(Archive& archive, Run& run) {
   archive(run.warnings);
 }
 
+template <class Archive, class Stage>
+void transfer_packs(Archive& archive, Stage& stage) {
+  archive(stage.packs.count);
+  archive(stage.packs.pack);
+  archive(stage.packs.place);
+  archive(stage.packs.motion);
+  archive(stage.grid.top);
+  archive(stage.strayed);
+  archive(stage.kept);
+}
+
+// Whether saved packs are packs of these particles on this grid.
+bool packs_fit(const PackedStage& stage, const Particles& particles) {
+  const Packs& packs = stage.packs;
+  if (packs.count != particles.count || packs.place.size() != packs.pack.size() ||
+      packs.motion.size() != packs.pack.size() || stage.grid.top.size() != stage.grid.columns) {
+    return false;
+  }
+  for (std::size_t i = 0; i < packs.pack.size(); ++i) {
+    if (packs.place[i].column + 3 > stage.grid.columns || packs.place[i].row >= stage.grid.rows) {
+      return false;
+    }
+    for (const std::int32_t particle : packs.pack[i].particle) {
+      if (particle >= static_cast<std::int32_t>(particles.count)) return false;
+    }
+  }
+  for (const std::size_t top : stage.grid.top) {
+    if (top > stage.grid.rows) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string save_state(const RunState& run) {
@@ -123,6 +155,8 @@ std::string save_state(const RunState& run) {
   writer(format);
   writer(std::uint64_t{run.seeded.laws.rows()});
   transfer_state(writer, run);
+  writer(run.packed.has_value());
+  if (run.packed) transfer_packs(writer, *run.packed);
   return writer.take();
 }
 
@@ -134,6 +168,14 @@ bool load_state(const std::string& bytes, RunState& run) {
   if (!reader.good() || found != format || rows != run.seeded.laws.rows()) return false;
   RunState read = run;
   transfer_state(reader, read);
+  bool packed = false;
+  reader(packed);
+  if (packed) {
+    read.packed = PackedStage{};
+    read.packed->grid = make_pack_grid(run.seeded.grid);
+    read.packed->laws = pack_laws(run.seeded.laws);
+    transfer_packs(reader, *read.packed);
+  }
   const Particles& p = read.seeded.particles;
   bool fits = reader.at_end() && p.count <= run.seeded.particles.count &&
               read.seeded.grid.top.size() == run.seeded.grid.top.size();
@@ -142,7 +184,8 @@ bool load_state(const std::string& bytes, RunState& run) {
            array->size() == (p.count + Particles::lanes - 1) / Particles::lanes * Particles::lanes;
   }
   fits = fits && p.law.size() == p.x.size() && p.id.size() == p.x.size();
-  if (!fits) return false;
+  if (!fits || (packed && !packs_fit(*read.packed, p))) return false;
+  if (packed) spread(read.packed->packs, read.packed->grid);
   run = std::move(read);
   run.resumed = true;
   return true;

@@ -108,6 +108,23 @@ HWY_INLINE void add_dilation(D d, const Particles& p, std::size_t i, std::size_t
   }
 }
 
+// Stress and plastic strain of the particles i .. i+N; returns the work per volume.
+template <bool Viscous, class D>
+HWY_INLINE hn::Vec<D> update_stress(D d, Particles& p, std::size_t i, const LawTable& laws,
+                                    const PlaneStrain<hn::Vec<D>>& e, hn::Vec<D> spin,
+                                    hn::Vec<D> dt) {
+  const PlaneStress<hn::Vec<D>> old{hn::LoadU(d, &p.sxx[i]), hn::LoadU(d, &p.szz[i]),
+                                    hn::LoadU(d, &p.sxz[i]), hn::LoadU(d, &p.syy[i])};
+  const auto gamma = hn::LoadU(d, &p.plastic_strain[i]);
+  const auto next = next_stress<Viscous>(d, law_rows(d, &p.law[i]), laws, old, gamma, e, spin, dt);
+  if (next.yields) hn::StoreU(hn::Add(gamma, next.plastic_strain), d, &p.plastic_strain[i]);
+  hn::StoreU(next.stress.xx, d, &p.sxx[i]);
+  hn::StoreU(next.stress.zz, d, &p.szz[i]);
+  hn::StoreU(next.stress.xz, d, &p.sxz[i]);
+  hn::StoreU(next.stress.yy, d, &p.syy[i]);
+  return next.work;
+}
+
 // Velocity, gradient, stress and position of the particles i .. i+N of a block.
 template <bool Average, bool Viscous, class D>
 HWY_INLINE void update(D d, Particles& p, std::size_t i, std::size_t slot, const Grid& grid,

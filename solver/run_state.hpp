@@ -6,6 +6,7 @@
 #include "solver/audit.hpp"
 #include "solver/last_good.hpp"
 #include "solver/observe.hpp"
+#include "solver/packs/packed_stage.hpp"
 #include "solver/section/run_settings.hpp"
 #include "solver/section/section.hpp"
 #include "solver/seed_particles.hpp"
@@ -27,12 +28,14 @@ struct RunState {
   const RunSettings* settings = nullptr;
   const Listener* listener = nullptr;
 
-  Seeded seeded;
+  Seeded seeded;  ///< its particles are those of the last look while `packed` holds a stage
+  std::optional<PackedStage> packed;
   CrestAndToe bank;
   Surface ground;  ///< tops of the particle columns before anything moved
   SlideCount slides;
   EnergyAudit audit;  ///< of the stage under way
   Balances worst;
+  std::optional<Balances> packs_balance;  ///< of the last stage on packs
   double numerical_dissipation = 0;
 
   double time = 0;     ///< since softening is on, s

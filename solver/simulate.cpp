@@ -97,6 +97,17 @@ void warn(const RunState& run, const Movement& m, std::vector<std::string>& warn
   }
 }
 
+void keep_balance(RunState& run) {
+  Balances balance;
+  if (run.packs_balance) {
+    balance = *run.packs_balance;
+  } else if (sort_particles(run.seeded.particles, run.seeded.grid)) {
+    balance = transfer_balance(run.seeded.particles, run.seeded.grid);
+  }
+  run.worst.mass = balance.mass;
+  run.worst.momentum = balance.momentum;
+}
+
 // What broke a run is no result: the state before it is, and the reason tells both times.
 void fall_back(RunState& run, StageEnd& end, bool moving) {
   const double broke = run.time;
@@ -157,12 +168,10 @@ SectionResult simulate(const Section& section, const RunSettings& settings,
   if (!run.resumed) early = find_initial_stress(run);
   if (!run.resumed && !early) show_frame(run);
   end = early ? *early : trigger_and_run(run, used);
-  if (end.why == StageEnd::Why::unstable) fall_back(run, end, !early);
-  if (sort_particles(run.seeded.particles, run.seeded.grid)) {
-    const Balances balance = transfer_balance(run.seeded.particles, run.seeded.grid);
-    run.worst.mass = balance.mass;
-    run.worst.momentum = balance.momentum;
+  if (end.why == StageEnd::Why::unstable || end.why == StageEnd::Why::left_domain) {
+    fall_back(run, end, !early);
   }
+  keep_balance(run);
   SectionResult result = result_of(run, end);
   result.trigger_used = used;
   show_frame(run);

@@ -43,6 +43,16 @@ std::optional<StageEnd> check_plastic_work(const RunState& run) {
                       " % of the energy that moved): the stress update feeds energy"};
 }
 
+}  // namespace
+
+void show_frame(RunState& run) {
+  if (!run.listener->frame) return;
+  run.listener->frame(frame(run.seeded, run.seeded.laws, run.time));
+  ++run.frames;
+}
+
+namespace {
+
 void look(RunState& run) {
   const Movement m = measure(run.seeded, *run.section, run.bank, run.ground);
   run.slides.observe(run.time, m.retrogression_m);
@@ -81,23 +91,21 @@ void begin(RunState& run, StageClock::Stage stage) {
   run.clock.stage = stage;
   run.clock.next_look = run.time + run.slides.look_interval_s();
   run.clock.next_frame = run.time + run.settings->output.frame_interval_s;
+  if (!run.settings->full && packs_can_run(run.seeded.grid, run.seeded.laws)) {
+    run.packed = begin_packed_stage(run.seeded.particles, run.seeded.grid, run.seeded.laws);
+    run.travel = 0;
+  }
 }
 
-}  // namespace
-
-void show_frame(RunState& run) {
-  if (!run.listener->frame) return;
-  run.listener->frame(frame(run.seeded, run.seeded.laws, run.time));
-  ++run.frames;
-}
-
-StageEnd run_stage(RunState& run, StageClock::Stage stage) {
-  if (run.clock.stage != stage) begin(run, stage);
+StageEnd run_steps(RunState& run) {
   if (auto end = keep_good(run)) return *end;
   Checkpoints checkpoints;
   const double frames = run.settings->output.frame_interval_s;
   while (run.time < run.settings->stop.max_time_s) {
     if (auto end = advance(run, run.seeded.laws, run.settings->damping.dynamic, true)) return *end;
+    if (run.packed && run.packed->kept) {
+      unpack(run.packed->packs, run.packed->grid, run.seeded.particles);
+    }
     if (frames > 0 && run.time >= run.clock.next_frame) {
       if (auto end = keep_good(run)) return *end;
       show_frame(run);
@@ -114,6 +122,17 @@ StageEnd run_stage(RunState& run, StageClock::Stage stage) {
     if (interrupted) return {StageEnd::Why::interrupted, ""};
   }
   return {StageEnd::Why::time_limit, ""};
+}
+
+}  // namespace
+
+StageEnd run_stage(RunState& run, StageClock::Stage stage) {
+  if (run.clock.stage != stage) begin(run, stage);
+  const StageEnd end = run_steps(run);
+  if (run.packed && run.packed->kept) run.packs_balance = transfer_balance(*run.packed);
+  run.packed.reset();
+  run.since_sort = 0;
+  return end;
 }
 
 }  // namespace leda::solver

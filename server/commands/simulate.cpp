@@ -25,6 +25,7 @@ struct Options {
   bool json = false;
   bool keep_checkpoint = false;
   double checkpoint_interval_s = RunOptions{}.checkpoint_interval_s;
+  bool full = false;
 };
 
 std::string text_of(const std::filesystem::path& file) {
@@ -78,6 +79,7 @@ int simulate(const Options& options) {
   std::signal(SIGXFSZ, SIG_IGN);
   const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
   RunOptions run_options;
+  run_options.full = options.full;
   run_options.interrupted = InterruptSignals::arrived;
   run_options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   run_options.keep_checkpoint = options.keep_checkpoint;
@@ -113,6 +115,8 @@ void add_simulate(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag("--keep-checkpoint", options->keep_checkpoint,
                     "leave the last checkpoint beside the result");
+  command->add_flag("--full", options->full,
+                    "the reference way: double precision and every saving off, to compare with");
   command->footer(
       "Exit codes: 0 a result stands, 2 the case is invalid, 3 the run was unstable, "
       "4 interrupted (the same command goes on), 5 the disk is full (the same), "

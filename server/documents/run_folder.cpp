@@ -158,8 +158,9 @@ RunOutcome run_case(std::string_view case_text, const fs::path& folder, const Ru
   fs::remove(folder / "result.json");
   const std::string sha256 = case_sha256(*parsed.value);
   RunFiles files(*parsed.value, sha256, folder, options);
-  SectionResult result =
-      solver::simulate(parsed.value->section, parsed.value->settings, files.listener());
+  RunSettings settings = parsed.value->settings;
+  settings.full = options.full;
+  SectionResult result = solver::simulate(parsed.value->section, settings, files.listener());
   if (result.status == RunStatus::interrupted) {
     outcome.code = ExitCode::interrupted;
     return outcome;

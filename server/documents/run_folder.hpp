@@ -33,6 +33,7 @@ struct RunOptions {
   /// Leaves the last checkpoint beside the result, so that a result that turns out damaged costs
   /// no more than the steps since then. Whoever takes the result in removes it.
   bool keep_checkpoint = false;
+  bool full = false;  ///< RunSettings::full
 };
 
 struct RunOutcome {

@@ -25,7 +25,7 @@ struct LawRows {
   std::size_t first;
   bool same;
 
-  HWY_INLINE hn::Vec<D> operator()(const std::vector<double>& column) const {
+  HWY_INLINE hn::Vec<D> operator()(const std::vector<hn::TFromD<D>>& column) const {
     if (HWY_LIKELY(same)) return hn::Set(d, column[first]);
     return hn::GatherIndex(d, column.data(), rows);
   }
@@ -33,10 +33,14 @@ struct LawRows {
 
 template <class D>
 HWY_INLINE LawRows<D> law_rows(D d, const std::int32_t* law) {
-  const auto rows =
-      hn::PromoteTo(hn::RebindToSigned<D>(), hn::LoadU(hn::Rebind<std::int32_t, D>(), law));
-  const auto first = hn::Set(hn::RebindToSigned<D>(), law[0]);
-  const bool same = hn::AllTrue(hn::RebindToSigned<D>(), hn::Eq(rows, first));
+  using Rows = hn::RebindToSigned<D>;
+  hn::Vec<Rows> rows;
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(std::int32_t)) {
+    rows = hn::LoadU(Rows(), law);
+  } else {
+    rows = hn::PromoteTo(Rows(), hn::LoadU(hn::Rebind<std::int32_t, D>(), law));
+  }
+  const bool same = hn::AllTrue(Rows(), hn::Eq(rows, hn::Set(Rows(), law[0])));
   return {d, rows, static_cast<std::size_t>(law[0]), same};
 }
 

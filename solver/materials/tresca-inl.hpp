@@ -10,10 +10,8 @@
 
 #include "hwy/contrib/math/math-inl.h"
 #include "hwy/highway.h"
-#include "solver/law_table.hpp"
 #include "solver/materials/law_rows-inl.hpp"
 #include "solver/materials/viscous-inl.hpp"
-#include "solver/particles.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace leda::solver {
@@ -26,16 +24,30 @@ struct PlaneStrain {
   V xx, zz, xz;
 };
 
-/// s_u at the start of the step: the peak until the first yield, then the curve.
+template <class V>
+struct PlaneStress {
+  V xx, zz, xz, yy;
+};
+
+/// A constant in the type of the lanes.
 template <class D>
-HWY_INLINE hn::Vec<D> strength_now(D d, const LawRows<D>& row, const LawTable& laws,
-                                   hn::Vec<D> gamma) {
+HWY_INLINE hn::Vec<D> constant(D d, double value) {
+  return hn::Set(d, static_cast<hn::TFromD<D>>(value));
+}
+
+/// Where exp is as good as zero and still a normal number.
+template <class D>
+constexpr double no_exponent = sizeof(hn::TFromD<D>) == 4 ? -80.0 : -700.0;
+
+/// s_u at the start of the step: the peak until the first yield, then the curve.
+template <class D, class Laws>
+HWY_INLINE hn::Vec<D> strength_now(D d, const LawRows<D>& row, const Laws& laws, hn::Vec<D> gamma) {
   const auto peak = row(laws.peak);
   const auto yielded = hn::Gt(gamma, hn::Zero(d));
   if (HWY_LIKELY(hn::AllFalse(d, yielded))) return peak;
   const auto exponent = hn::Neg(hn::Mul(row(laws.rate), gamma));
-  auto s = hn::MulAdd(row(laws.amplitude), hn::Exp(d, hn::Max(exponent, hn::Set(d, -700.0))),
-                      row(laws.floor));
+  auto s = hn::MulAdd(row(laws.amplitude),
+                      hn::Exp(d, hn::Max(exponent, constant(d, no_exponent<D>))), row(laws.floor));
   s = hn::Min(s, peak);
   const auto beyond = hn::Sub(gamma, row(laws.exp_end));
   const auto line = hn::MulAdd(row(laws.line_slope), beyond, row(laws.line_start));
@@ -55,7 +67,7 @@ struct TrescaReturn {
 template <class D>
 HWY_INLINE TrescaReturn<D> tresca_return(D d, hn::Vec<D> high, hn::Vec<D> mid, hn::Vec<D> low,
                                          hn::Vec<D> s, hn::Vec<D> g) {
-  const auto half = hn::Set(d, 0.5), third = hn::Set(d, 1.0 / 3.0);
+  const auto half = constant(d, 0.5), third = constant(d, 1.0 / 3.0);
   const auto excess = hn::Max(hn::Sub(hn::Sub(high, low), hn::Add(s, s)), hn::Zero(d));
   const auto h1 = hn::NegMulAdd(half, excess, high), l1 = hn::MulAdd(half, excess, low);
   const auto sum = hn::Add(hn::Add(high, mid), low);
@@ -86,27 +98,32 @@ HWY_INLINE hn::Vec<D> shear_strain(D d, const PlaneStrain<hn::Vec<D>>& e) {
   return hn::Sqrt(hn::Add(square, square));
 }
 
-/// Stress and plastic strain of the particles i .. i+N after a strain increment and a rotation
-/// `spin` = w_xz dt, w = (dvx/dz - dvz/dx) / 2, in dt seconds. `Viscous`: laws.viscous is used.
-/// @return work of the mid-step stress per volume, Pa
-template <bool Viscous, class D>
-HWY_INLINE hn::Vec<D> update_stress(D d, Particles& p, std::size_t i, const LawTable& laws,
-                                    const PlaneStrain<hn::Vec<D>>& e, hn::Vec<D> spin,
-                                    hn::Vec<D> dt) {
-  const auto row = law_rows(d, &p.law[i]);
-  const auto g = row(laws.shear), bulk = row(laws.bulk);
-  const auto g2 = hn::Add(g, g), half = hn::Set(d, 0.5);
-  const auto old_xx = hn::LoadU(d, &p.sxx[i]), old_zz = hn::LoadU(d, &p.szz[i]);
-  const auto old_xz = hn::LoadU(d, &p.sxz[i]), old_yy = hn::LoadU(d, &p.syy[i]);
-  const auto lame = hn::NegMulAdd(hn::Set(d, 2.0 / 3.0), g, bulk);
-  const auto pressure = hn::Mul(lame, hn::Add(e.xx, e.zz));
-  const auto turn = hn::Mul(hn::Add(spin, spin), old_xz);
-  auto xx = hn::Add(hn::MulAdd(g2, e.xx, pressure), hn::Add(old_xx, turn));
-  auto zz = hn::Add(hn::MulAdd(g2, e.zz, pressure), hn::Sub(old_zz, turn));
-  auto xz = hn::MulAdd(g2, e.xz, hn::MulAdd(spin, hn::Sub(old_zz, old_xx), old_xz));
-  auto yy = hn::Add(old_yy, pressure);
+template <class D>
+struct StressStep {
+  PlaneStress<hn::Vec<D>> stress;
+  hn::Vec<D> plastic_strain;  ///< of this step
+  hn::Vec<D> work;            ///< of the mid-step stress per volume, Pa
+  bool yields;                ///< whether any lane does; else plastic_strain is zero
+};
 
-  const auto gamma = hn::LoadU(d, &p.plastic_strain[i]);
+/// Stress after a strain increment and a rotation `spin` = w_xz dt, w = (dvx/dz - dvz/dx) / 2,
+/// from stress `old` and plastic strain `gamma`, in dt seconds.
+/// `Viscous`: laws.viscous is used.
+template <bool Viscous, class D, class Laws>
+HWY_INLINE StressStep<D> next_stress(D d, const LawRows<D>& row, const Laws& laws,
+                                     const PlaneStress<hn::Vec<D>>& old, hn::Vec<D> gamma,
+                                     const PlaneStrain<hn::Vec<D>>& e, hn::Vec<D> spin,
+                                     hn::Vec<D> dt) {
+  const auto g = row(laws.shear), bulk = row(laws.bulk);
+  const auto g2 = hn::Add(g, g), half = constant(d, 0.5);
+  const auto lame = hn::NegMulAdd(constant(d, 2.0 / 3.0), g, bulk);
+  const auto pressure = hn::Mul(lame, hn::Add(e.xx, e.zz));
+  const auto turn = hn::Mul(hn::Add(spin, spin), old.xz);
+  auto xx = hn::Add(hn::MulAdd(g2, e.xx, pressure), hn::Add(old.xx, turn));
+  auto zz = hn::Add(hn::MulAdd(g2, e.zz, pressure), hn::Sub(old.zz, turn));
+  auto xz = hn::MulAdd(g2, e.xz, hn::MulAdd(spin, hn::Sub(old.zz, old.xx), old.xz));
+  auto yy = hn::Add(old.yy, pressure);
+
   auto s = strength_now(d, row, laws, gamma);
   if constexpr (Viscous) {
     s = hn::Mul(s, rate_factor(d, row, laws.viscous, hn::Div(shear_strain(d, e), dt)));
@@ -116,7 +133,9 @@ HWY_INLINE hn::Vec<D> update_stress(D d, Particles& p, std::size_t i, const LawT
   const auto a = hn::Add(centre, radius), b = hn::Sub(centre, radius);
   const auto high = hn::Max(a, yy), low = hn::Min(b, yy);
   const auto yields = hn::Gt(hn::Sub(high, low), hn::Add(s, s));
-  if (!hn::AllFalse(d, yields)) {
+  auto plastic = hn::Zero(d);
+  const bool any = !hn::AllFalse(d, yields);
+  if (any) {
     if constexpr (Viscous) {  // what is left beyond yield is the viscous stress of this step
       const auto excess = hn::MulSub(half, hn::Sub(high, low), s);
       const auto flowed = flow_strain(d, row, laws.viscous, excess, g, dt);
@@ -130,21 +149,16 @@ HWY_INLINE hn::Vec<D> update_stress(D d, Particles& p, std::size_t i, const LawT
     const auto new_yy = hn::IfThenElse(yy_high, r.high, hn::IfThenElse(yy_low, r.low, r.mid));
     const auto new_centre = hn::Mul(half, hn::Add(new_a, new_b));
     const auto new_radius = hn::Mul(half, hn::Sub(new_a, new_b));
-    const auto shrink = hn::Div(new_radius, hn::Max(radius, hn::Set(d, 1e-30)));
+    const auto shrink = hn::Div(new_radius, hn::Max(radius, constant(d, 1e-30)));
     xx = hn::IfThenElse(yields, hn::MulAdd(apart, shrink, new_centre), xx);
     zz = hn::IfThenElse(yields, hn::NegMulAdd(apart, shrink, new_centre), zz);
     xz = hn::IfThenElse(yields, hn::Mul(xz, shrink), xz);
     yy = hn::IfThenElse(yields, new_yy, yy);
-    const auto more = hn::IfThenElseZero(yields, r.plastic_strain);
-    hn::StoreU(hn::Add(gamma, more), d, &p.plastic_strain[i]);
+    plastic = hn::IfThenElseZero(yields, r.plastic_strain);
   }
-  hn::StoreU(xx, d, &p.sxx[i]);
-  hn::StoreU(zz, d, &p.szz[i]);
-  hn::StoreU(xz, d, &p.sxz[i]);
-  hn::StoreU(yy, d, &p.syy[i]);
-  const auto normal = hn::MulAdd(hn::Add(old_xx, xx), e.xx, hn::Mul(hn::Add(old_zz, zz), e.zz));
-  const auto shear = hn::Mul(hn::Add(old_xz, xz), hn::Add(e.xz, e.xz));
-  return hn::Mul(half, hn::Add(normal, shear));
+  const auto normal = hn::MulAdd(hn::Add(old.xx, xx), e.xx, hn::Mul(hn::Add(old.zz, zz), e.zz));
+  const auto shear = hn::Mul(hn::Add(old.xz, xz), hn::Add(e.xz, e.xz));
+  return {{xx, zz, xz, yy}, plastic, hn::Mul(half, hn::Add(normal, shear)), any};
 }
 
 }  // namespace HWY_NAMESPACE

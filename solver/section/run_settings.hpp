@@ -50,6 +50,7 @@ struct RunSettings {
   double time_step_factor = 0.5;  ///< of h / c_p
   Stop stop;
   Output output;
+  bool full = false;  ///< the reference way: double precision, no saving of any kind
 };
 
 }  // namespace leda

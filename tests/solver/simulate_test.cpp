@@ -44,11 +44,22 @@ TEST(Simulate, AWeakBankSlidesAndComesToRest) {
   EXPECT_GT(r.crest_to_crest_retrogression_m, 3);
   EXPECT_GT(r.runout_m, 3);
   EXPECT_GE(r.slides, 1);
-  EXPECT_LT(r.balances.mass, 1e-12);
-  EXPECT_LT(r.balances.momentum, 1e-12);
+  EXPECT_LT(r.balances.mass, 1e-6);  // what single precision can hold
+  EXPECT_LT(r.balances.momentum, 1e-6);
   EXPECT_LT(r.balances.energy, 0.05);
   EXPECT_NEAR(r.backscarp.x, 40 - r.crest_to_crest_retrogression_m, 1e-9);
   EXPECT_NEAR(r.front.x, r.toe.x + r.runout_m, 1e-9);
+}
+
+TEST(Simulate, TheReferenceBalancesToRoundOff) {
+  RunSettings settings = coarse();
+  settings.trigger = UndrainedTrigger{4.0};
+  settings.stop.max_time_s = 3;
+  settings.full = true;
+  const SectionResult r = simulate(one_slide(), settings);
+  EXPECT_LT(r.balances.mass, 1e-12);
+  EXPECT_LT(r.balances.momentum, 1e-12);
+  EXPECT_LT(r.balances.energy, 0.05);
 }
 
 TEST(Simulate, TheSameCaseGivesTheSameBytes) {

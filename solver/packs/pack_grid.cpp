@@ -1,0 +1,19 @@
+#include "solver/packs/pack_grid.hpp"
+
+namespace leda::solver {
+
+PackGrid make_pack_grid(const Grid& grid) {
+  PackGrid g;
+  g.h = grid.h;
+  g.columns = grid.columns;
+  g.rows = grid.rows;
+  // A pack that begins in the last row reads and adds up to eight rows and two nodes beyond.
+  g.stride = (PackGrid::lead + grid.rows + Pack::lanes + 2 + 7) / 8 * 8;
+  g.sums.assign(g.columns * PackGrid::values * PackGrid::planes * g.stride, Real{0});
+  g.velocity.assign(g.columns * 2 * g.stride, Real{0});
+  g.top.assign(g.columns, 0);
+  g.nodes.assign(3 * PackGrid::values * g.stride, Real{0});
+  return g;
+}
+
+}  // namespace leda::solver

@@ -1,0 +1,42 @@
+#pragma once
+// The background grid of the packs: sums and velocities by column, each value a run of memory.
+
+#include <cstddef>
+#include <vector>
+
+#include "solver/grid_update.hpp"
+#include "solver/packs/packs.hpp"
+
+namespace leda::solver {
+
+/// Nodes as in Grid. What points in home row k give to node row k + j stands in plane j at k, so
+/// that a pack adds to aligned places that no other home row touches; the three planes of a value
+/// are added up when the nodes are updated.
+struct PackGrid {
+  static constexpr std::size_t values = 5;  ///< mass, momentum x z, force x z
+  static constexpr std::size_t planes = 3;
+  static constexpr std::size_t lead = 8;  ///< zeros below row 0
+
+  double h = 0;
+  std::size_t columns = 0, rows = 0;
+  std::size_t stride = 0;        ///< of a plane
+  std::vector<Real> sums;        ///< [columns][values][planes][stride]
+  std::vector<Real> velocity;    ///< [columns][x z][stride]
+  std::vector<std::size_t> top;  ///< rows in use in each column
+  std::vector<Real> nodes;       ///< room for three columns, [3][values][stride]
+
+  Real* sums_at(std::size_t column, std::size_t row) {
+    return &sums[column * values * planes * stride + lead + row];
+  }
+  Real* velocity_at(std::size_t column, std::size_t row) {
+    return &velocity[column * 2 * stride + lead + row];
+  }
+};
+
+PackGrid make_pack_grid(const Grid& grid);
+
+/// The momentum balance on the nodes, as update_velocity does it. The sums are zero afterwards.
+/// Of the sums returned, weight and unbalanced force are left out.
+GridSums update_velocity(PackGrid& grid, const GridStep& step);
+
+}  // namespace leda::solver

@@ -1,0 +1,371 @@
+#include "solver/packs/pack_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "solver/packs/pack_step.cpp"
+#include "hwy/foreach_target.h"
+//
+#include "hwy/highway.h"
+#include "solver/materials/tresca-inl.hpp"
+#include "solver/packs/pack_spline-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace leda::solver {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Lanes = hn::CappedTag<Real, Pack::lanes>;
+using OneLane = hn::CappedTag<Real, 1>;
+constexpr std::size_t values = PackGrid::values * PackGrid::planes;
+
+// Velocity and affine velocity (per cell) of a vector of points.
+template <class D>
+struct Carried {
+  hn::Vec<D> vx, vz, cxx, cxz, czx, czz;
+};
+
+template <class D>
+HWY_INLINE PackShare<D> share(D d, const Pack& p, std::size_t l, const Carried<D>& m, Real per_h) {
+  const auto mass = hn::Load(d, p.mass + l);
+  const auto volume = hn::Mul(hn::Set(d, -per_h), hn::Load(d, p.volume + l));
+  return {mass,
+          hn::Mul(mass, m.vx),
+          hn::Mul(mass, m.vz),
+          hn::Mul(mass, m.cxx),
+          hn::Mul(mass, m.cxz),
+          hn::Mul(mass, m.czx),
+          hn::Mul(mass, m.czz),
+          hn::Mul(volume, hn::Load(d, p.sxx + l)),
+          hn::Mul(volume, hn::Load(d, p.szz + l)),
+          hn::Mul(volume, hn::Load(d, p.sxz + l))};
+}
+
+// Points of the pack that have left their home cell since the packs were arranged.
+template <class D>
+HWY_INLINE hn::Mask<D> strays(D d, hn::Vec<D> x, hn::Vec<D> z, hn::Vec<D> mass) {
+  const auto zero = hn::Zero(d), one = hn::Set(d, Real{1});
+  const auto inside =
+      hn::And(hn::And(hn::Ge(x, zero), hn::Lt(x, one)), hn::And(hn::Ge(z, zero), hn::Lt(z, one)));
+  return hn::AndNot(inside, hn::Gt(mass, zero));
+}
+
+// A stray's present cell and its place in it.
+struct Stray {
+  std::size_t column, row;
+  Real x, z;
+};
+
+// False where the grid has no nodes for it.
+HWY_INLINE bool find_stray(const PackGrid& grid, const PackPlace& place, std::size_t lane, Real x,
+                           Real z, Stray& s) {
+  const Real dx = std::floor(x), dz = std::floor(z);
+  const Real column = static_cast<Real>(place.column) + dx;
+  const Real row = static_cast<Real>(place.row + lane) + dz;
+  if (!(column >= 0 && column + 3 <= static_cast<Real>(grid.columns) && row >= 0 &&
+        row + 3 <= static_cast<Real>(grid.rows))) {
+    return false;
+  }
+  s = {static_cast<std::size_t>(column), static_cast<std::size_t>(row), x - dx, z - dz};
+  return true;
+}
+
+// Calls one(stray, lane) for each stray of the vector; false where one of them has left the grid.
+template <class D, class One>
+HWY_INLINE bool for_strays(D d, const PackGrid& grid, const PackPlace& place, std::size_t first,
+                           hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z, const One& one) {
+  HWY_ALIGN Real at_x[Pack::lanes], at_z[Pack::lanes], is_stray[Pack::lanes];
+  hn::Store(x, d, at_x);
+  hn::Store(z, d, at_z);
+  hn::Store(hn::IfThenElseZero(stray, hn::Set(d, Real{1})), d, is_stray);
+  bool all = true;
+  for (std::size_t l = 0; l < hn::Lanes(d); ++l) {
+    if (is_stray[l] == 0) continue;
+    Stray s{};
+    if (find_stray(grid, place, first + l, at_x[l], at_z[l], s)) {
+      one(s, l);
+    } else {
+      all = false;
+    }
+  }
+  return all;
+}
+
+// The motion of strays, put into their lanes.
+template <class D>
+HWY_NOINLINE bool gather_strays(D d, PackGrid& grid, const PackPlace& place, std::size_t first,
+                                hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
+                                PackVelocity<D>& velocity) {
+  const OneLane d1;
+  HWY_ALIGN Real lanes[10][Pack::lanes];
+  hn::Vec<D>* all[10] = {&velocity.vx,  &velocity.vz,  &velocity.mxx, &velocity.mxz, &velocity.mzx,
+                         &velocity.mzz, &velocity.lxx, &velocity.lxz, &velocity.lzx, &velocity.lzz};
+  for (std::size_t v = 0; v < 10; ++v) hn::Store(*all[v], d, lanes[v]);
+  const bool inside =
+      for_strays(d, grid, place, first, stray, x, z, [&](const Stray& s, std::size_t l) {
+        const auto o =
+            pack_velocity(d1, grid.velocity_at(s.column, s.row), grid.stride,
+                          pack_axis(d1, hn::Set(d1, s.x)), pack_axis(d1, hn::Set(d1, s.z)));
+        const hn::Vec<OneLane> one[10] = {o.vx,  o.vz,  o.mxx, o.mxz, o.mzx,
+                                          o.mzz, o.lxx, o.lxz, o.lzx, o.lzz};
+        for (std::size_t v = 0; v < 10; ++v) lanes[v][l] = hn::GetLane(one[v]);
+      });
+  for (std::size_t v = 0; v < 10; ++v) *all[v] = hn::Load(d, lanes[v]);
+  return inside;
+}
+
+template <class D>
+HWY_NOINLINE bool spread_strays(D d, PackGrid& grid, const PackPlace& place, std::size_t first,
+                                hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
+                                const PackShare<D>& share) {
+  const OneLane d1;
+  HWY_ALIGN Real lanes[10][Pack::lanes];
+  const hn::Vec<D> all[10] = {share.mass, share.px,  share.pz,  share.pxx, share.pxz,
+                              share.pzx,  share.pzz, share.fxx, share.fzz, share.fxz};
+  for (std::size_t v = 0; v < 10; ++v) hn::Store(all[v], d, lanes[v]);
+  return for_strays(d, grid, place, first, stray, x, z, [&](const Stray& s, std::size_t l) {
+    const auto value = [&](std::size_t v) { return hn::Set(d1, lanes[v][l]); };
+    spread_pack(d1, grid.sums_at(s.column, s.row), grid.stride, pack_axis(d1, hn::Set(d1, s.x)),
+                pack_axis(d1, hn::Set(d1, s.z)),
+                PackShare<OneLane>{value(0), value(1), value(2), value(3), value(4), value(5),
+                                   value(6), value(7), value(8), value(9)});
+  });
+}
+
+// Third pass: adds a vector of points to the nodes; false where one has left the grid.
+template <class D>
+HWY_INLINE bool add_to_nodes(D d, PackGrid& grid, const PackPlace& place, std::size_t l,
+                             const Pack& p, const Carried<D>& m, Real per_h, std::size_t& strayed) {
+  const auto x = hn::Load(d, p.x + l), z = hn::Load(d, p.z + l);
+  auto given = share(d, p, l, m, per_h);
+  const auto stray = strays(d, x, z, given.mass);
+  bool inside = true;
+  if (HWY_UNLIKELY(!hn::AllFalse(d, stray))) {
+    strayed += hn::CountTrue(d, stray);
+    inside = spread_strays(d, grid, place, l, stray, x, z, given);
+    for (auto* value : {&given.mass, &given.px, &given.pz, &given.pxx, &given.pxz, &given.pzx,
+                        &given.pzz, &given.fxx, &given.fzz, &given.fxz}) {
+      *value = hn::IfThenZeroElse(stray, *value);
+    }
+  }
+  spread_pack(d, grid.sums_at(place.column, place.row + l), grid.stride, pack_axis(d, x),
+              pack_axis(d, z), given);
+  return inside;
+}
+
+struct StepScales {
+  Real dt, dt_per_h;
+};
+
+// The points of a block of packs between the three passes of a step. The chain from strain to
+// stress is long (two roots, two quotients, an exponential); a pass of its own lets the processor
+// overlap the chains of several packs.
+constexpr std::size_t block = 16;
+struct Between {
+  HWY_ALIGN Real value[block][10][Pack::lanes];  // in the order of PackVelocity
+};
+
+template <class D>
+HWY_INLINE void store_velocity(D d, const PackVelocity<D>& v, Real (*to)[Pack::lanes],
+                               std::size_t l) {
+  const hn::Vec<D> all[10] = {v.vx, v.vz, v.mxx, v.mxz, v.mzx, v.mzz, v.lxx, v.lxz, v.lzx, v.lzz};
+  for (std::size_t i = 0; i < 10; ++i) hn::Store(all[i], d, to[i] + l);
+}
+
+// First pass: velocity and its gradient at the points. False where one has left the grid.
+template <class D>
+HWY_INLINE bool gather(D d, const Pack& p, const PackPlace& place, std::size_t l, PackGrid& grid,
+                       Real (*to)[Pack::lanes]) {
+  const auto x = hn::Load(d, p.x + l), z = hn::Load(d, p.z + l);
+  const auto mass = hn::Load(d, p.mass + l);
+  auto v = pack_velocity(d, grid.velocity_at(place.column, place.row + l), grid.stride,
+                         pack_axis(d, x), pack_axis(d, z));
+  const auto stray = strays(d, x, z, mass);
+  bool inside = true;
+  if (HWY_UNLIKELY(!hn::AllFalse(d, stray))) {
+    inside = gather_strays(d, grid, place, l, stray, x, z, v);
+  }
+  // A lane without a point stays as it is: what nodes of next to no mass do must not reach it.
+  const auto point = hn::Gt(mass, hn::Zero(d));
+  if (!hn::AllTrue(d, point)) {
+    for (auto* value :
+         {&v.vx, &v.vz, &v.mxx, &v.mxz, &v.mzx, &v.mzz, &v.lxx, &v.lxz, &v.lzx, &v.lzz}) {
+      *value = hn::IfThenElseZero(point, *value);
+    }
+  }
+  store_velocity(d, v, to, l);
+  return inside;
+}
+
+template <class D>
+struct LaneSums {
+  hn::Vec<D> work, px, pz, fastest;
+};
+
+// Second pass: stress, plastic strain, volume, position.
+template <class D>
+HWY_INLINE void update(D d, Pack& p, std::size_t l, const PackLaws& laws, const StepScales& scale,
+                       const Real (*v)[Pack::lanes], LaneSums<D>& sums) {
+  const auto vx = hn::Load(d, v[0] + l), vz = hn::Load(d, v[1] + l);
+  const auto lxz = hn::Load(d, v[7] + l), lzx = hn::Load(d, v[8] + l);
+  const auto step = hn::Set(d, scale.dt_per_h), half_step = hn::Mul(hn::Set(d, Real{0.5}), step);
+  const PlaneStrain<hn::Vec<D>> strain{hn::Mul(hn::Load(d, v[6] + l), step),
+                                       hn::Mul(hn::Load(d, v[9] + l), step),
+                                       hn::Mul(hn::Add(lxz, lzx), half_step)};
+  const auto spin = hn::Mul(hn::Sub(lxz, lzx), half_step);
+  const PlaneStress<hn::Vec<D>> old{hn::Load(d, p.sxx + l), hn::Load(d, p.szz + l),
+                                    hn::Load(d, p.sxz + l), hn::Load(d, p.syy + l)};
+  const auto gamma = hn::Load(d, p.plastic_strain + l);
+  const auto next = next_stress<false>(d, law_rows(d, p.law + l), laws, old, gamma, strain, spin,
+                                       hn::Set(d, scale.dt));
+  if (next.yields) {  // Kahan's sum: what rounding takes now is added with the next step
+    const auto more = hn::Sub(next.plastic_strain, hn::Load(d, p.plastic_rest + l));
+    const auto sum = hn::Add(gamma, more);
+    hn::Store(hn::Sub(hn::Sub(sum, gamma), more), d, p.plastic_rest + l);
+    hn::Store(sum, d, p.plastic_strain + l);
+  }
+  hn::Store(next.stress.xx, d, p.sxx + l);
+  hn::Store(next.stress.zz, d, p.szz + l);
+  hn::Store(next.stress.xz, d, p.sxz + l);
+  hn::Store(next.stress.yy, d, p.syy + l);
+  const auto volume = hn::Load(d, p.volume + l), mass = hn::Load(d, p.mass + l);
+  sums.work = hn::MulAdd(next.work, volume, sums.work);
+  sums.px = hn::MulAdd(mass, vx, sums.px);
+  sums.pz = hn::MulAdd(mass, vz, sums.pz);
+  sums.fastest = hn::Max(sums.fastest, hn::MulAdd(vx, vx, hn::Mul(vz, vz)));
+  hn::Store(hn::MulAdd(volume, hn::Add(strain.xx, strain.zz), volume), d, p.volume + l);
+  hn::Store(hn::MulAdd(vx, step, hn::Load(d, p.x + l)), d, p.x + l);
+  hn::Store(hn::MulAdd(vz, step, hn::Load(d, p.z + l)), d, p.z + l);
+}
+
+template <class D>
+HWY_INLINE Carried<D> carried(D d, const Real (*v)[Pack::lanes], std::size_t l) {
+  const auto affine = [&](std::size_t i) {
+    return hn::Mul(hn::Set(d, Real{4}), hn::Load(d, v[i] + l));
+  };
+  return {hn::Load(d, v[0] + l), hn::Load(d, v[1] + l), affine(2), affine(3), affine(4), affine(5)};
+}
+
+template <class D>
+HWY_INLINE void keep_motion(D d, const Carried<D>& m, PackMotion& kept, std::size_t l) {
+  hn::Store(m.vx, d, kept.vx + l);
+  hn::Store(m.vz, d, kept.vz + l);
+  hn::Store(m.cxx, d, kept.cxx + l);
+  hn::Store(m.cxz, d, kept.cxz + l);
+  hn::Store(m.czx, d, kept.czx + l);
+  hn::Store(m.czz, d, kept.czz + l);
+}
+
+// Sums over a block by lane, whatever the width of the vectors.
+struct BlockSums {
+  HWY_ALIGN Real work[Pack::lanes], px[Pack::lanes], pz[Pack::lanes], fastest[Pack::lanes];
+
+  void add_to(ParticleSums& sums) const {
+    for (std::size_t l = 0; l < Pack::lanes; ++l) {
+      sums.stress_work += static_cast<double>(work[l]);
+      sums.momentum_x += static_cast<double>(px[l]);
+      sums.momentum_z += static_cast<double>(pz[l]);
+      sums.fastest_squared = std::max(sums.fastest_squared, static_cast<double>(fastest[l]));
+    }
+  }
+};
+
+HWY_NOINLINE void update_block(Pack* packs, std::size_t count, const PackLaws& laws,
+                               const StepScales& scale, const Between& between,
+                               ParticleSums& sums) {
+  const Lanes d;
+  BlockSums block_sums;
+  for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
+    const auto zero = hn::Zero(d);
+    LaneSums<Lanes> lane{zero, zero, zero, zero};
+    for (std::size_t i = 0; i < count; ++i) {
+      update(d, packs[i], l, laws, scale, between.value[i], lane);
+    }
+    hn::Store(lane.work, d, block_sums.work + l);
+    hn::Store(lane.px, d, block_sums.px + l);
+    hn::Store(lane.pz, d, block_sums.pz + l);
+    hn::Store(lane.fastest, d, block_sums.fastest + l);
+  }
+  block_sums.add_to(sums);
+}
+
+HWY_NOINLINE bool gather_block(const Packs& packs, std::size_t first, std::size_t count,
+                               PackGrid& grid, Between& between) {
+  const Lanes d;
+  bool inside = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
+      inside =
+          gather(d, packs.pack[first + i], packs.place[first + i], l, grid, between.value[i]) &&
+          inside;
+    }
+  }
+  return inside;
+}
+
+HWY_NOINLINE bool spread_block(Packs& packs, std::size_t first, std::size_t count, bool keep,
+                               PackGrid& grid, const Between& between, std::size_t& strayed) {
+  const Lanes d;
+  const auto per_h = static_cast<Real>(1 / grid.h);
+  bool inside = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
+      const auto m = carried(d, between.value[i], l);
+      if (keep) keep_motion(d, m, packs.motion[first + i], l);
+      inside = add_to_nodes(d, grid, packs.place[first + i], l, packs.pack[first + i], m, per_h,
+                            strayed) &&
+               inside;
+    }
+  }
+  return inside;
+}
+
+PackSums StepPacks(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep) {
+  const StepScales scale{static_cast<Real>(dt), static_cast<Real>(dt / grid.h)};
+  PackSums total;
+  Between between;
+  bool inside = true;
+  for (std::size_t first = 0; first < packs.pack.size(); first += block) {
+    const std::size_t count = std::min(block, packs.pack.size() - first);
+    inside = gather_block(packs, first, count, grid, between) && inside;
+    update_block(&packs.pack[first], count, laws, scale, between, total.particles);
+    inside = spread_block(packs, first, count, keep, grid, between, total.strayed) && inside;
+  }
+  total.left_grid = !inside;
+  return total;
+}
+
+void Spread(const Packs& packs, PackGrid& grid) {
+  const Lanes d;
+  std::size_t strayed = 0;
+  for (std::size_t i = 0; i < packs.pack.size(); ++i) {
+    const Pack& p = packs.pack[i];
+    const PackMotion& k = packs.motion[i];
+    for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
+      const Carried<Lanes> m{hn::Load(d, k.vx + l),  hn::Load(d, k.vz + l),
+                             hn::Load(d, k.cxx + l), hn::Load(d, k.cxz + l),
+                             hn::Load(d, k.czx + l), hn::Load(d, k.czz + l)};
+      add_to_nodes(d, grid, packs.place[i], l, p, m, static_cast<Real>(1 / grid.h), strayed);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace leda::solver
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace leda::solver {
+
+HWY_EXPORT(StepPacks);
+HWY_EXPORT(Spread);
+
+PackSums step_packs(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep) {
+  return HWY_DYNAMIC_DISPATCH(StepPacks)(packs, grid, laws, dt, keep);
+}
+
+void spread(const Packs& packs, PackGrid& grid) { HWY_DYNAMIC_DISPATCH(Spread)(packs, grid); }
+
+}  // namespace leda::solver
+#endif

@@ -1,0 +1,25 @@
+#pragma once
+// One step of the packs: from the nodes to the points and on to the nodes of the next step, in a
+// single pass over memory.
+
+#include "solver/packs/pack_grid.hpp"
+#include "solver/packs/packs.hpp"
+#include "solver/transfer.hpp"
+
+namespace leda::solver {
+
+struct PackSums {
+  ParticleSums particles;   ///< momentum_x is left out
+  std::size_t strayed = 0;  ///< points outside their home cell after the step
+  bool left_grid = false;   ///< a point has gone where there are no nodes
+};
+
+/// Adds every point to the sums of the grid.
+/// @pre packs.motion holds its motion
+void spread(const Packs& packs, PackGrid& grid);
+
+/// As grid_to_particles, then as particles_to_grid (transfer.hpp), for laws without rate and flow.
+/// `keep`: packs.motion is written.
+PackSums step_packs(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep);
+
+}  // namespace leda::solver

@@ -1,0 +1,63 @@
+#pragma once
+// Material points of a moving run, packed for the vector kernels.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solver/grid.hpp"
+#include "solver/law_table.hpp"
+#include "solver/particles.hpp"
+
+namespace leda::solver {
+
+/// Single precision: positions are kept within their cell, plastic strain is summed with its
+/// rounding error, energies are summed in double. What it changes: solver/packs/README.md.
+using Real = float;
+
+/// Eight material points, lane l of which lives in row `row + l` of one column of home cells.
+/// The home cell of a point is that of the lowest node it sees, when the packs were last arranged;
+/// so the nodes that the lanes see are runs of memory, and nothing is gathered or scattered.
+/// Lanes without a point have no mass and no volume.
+struct alignas(64) Pack {
+  static constexpr std::size_t lanes = 8;
+
+  Real x[lanes], z[lanes];  ///< from the home cell's lower left corner, in cells
+  Real sxx[lanes], szz[lanes], sxz[lanes], syy[lanes];  ///< Cauchy stress, Pa
+  Real mass[lanes];                                     ///< kg per metre of width
+  Real volume[lanes];                                   ///< m3 per metre of width
+  Real plastic_strain[lanes];                           ///< engineering shear strain
+  Real plastic_rest[lanes];                             ///< what rounding took from it (Kahan)
+  std::int32_t law[lanes];                              ///< row of the law table
+  std::int32_t particle[lanes];                         ///< place in Particles; -1: no point
+};
+
+/// Velocity and its gradient at the points of a pack: written only in steps after which somebody
+/// looks, since the step itself passes them on in registers.
+struct alignas(64) PackMotion {
+  Real vx[Pack::lanes], vz[Pack::lanes];  ///< m/s
+  /// Times the cell, m/s (see Particles::cxx).
+  Real cxx[Pack::lanes], cxz[Pack::lanes], czx[Pack::lanes], czz[Pack::lanes];
+};
+
+/// Where the first lane of a pack lives.
+struct PackPlace {
+  std::uint32_t column, row;
+};
+
+struct Packs {
+  std::size_t count = 0;  ///< points
+  std::vector<Pack> pack;
+  std::vector<PackPlace> place;
+  std::vector<PackMotion> motion;
+};
+
+/// The law table in single precision, without rate and flow.
+struct PackLaws {
+  std::vector<Real> bulk, shear, peak;
+  std::vector<Real> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
+};
+
+PackLaws pack_laws(const LawTable& table);
+
+}  // namespace leda::solver

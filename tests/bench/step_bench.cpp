@@ -1,0 +1,143 @@
+// The step of the solver and its parts, packed and by the double reference, on one bank that still
+// stands and on the same bank five seconds into its slide. Times are a particle and step, ns.
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+
+#include "solver/initial_stress.hpp"
+#include "solver/packs/packed_stage.hpp"
+#include "solver/sort_particles.hpp"
+#include "solver/time_step.hpp"
+#include "tests/bench/sliding_bank.hpp"
+
+namespace {
+
+using namespace leda::solver;
+using leda::gravity;
+
+constexpr double damping = 0.02;
+constexpr int steps_between_sorts = 16;
+
+// Calls part() each iteration with its own time, the rest of a step outside of it.
+class Timer {
+ public:
+  explicit Timer(benchmark::State& state) : state_(state) {}
+  template <class Part, class Rest>
+  void run(double particles, const Part& part, const Rest& rest) {
+    for (auto _ : state_) {
+      const auto began = std::chrono::steady_clock::now();
+      part();
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+      state_.SetIterationTime(took.count());
+      seconds_ += took.count();
+      rest();
+    }
+    const double steps = static_cast<double>(state_.iterations());
+    state_.counters["ns_per_particle"] = 1e9 * seconds_ / (steps * particles);
+    state_.counters["particles"] = particles;
+  }
+
+ private:
+  benchmark::State& state_;
+  double seconds_ = 0;
+};
+
+StepSettings settings_of(const Seeded& seeded) {
+  return {time_step(seeded.grid.h, seeded.laws.stiffest_speed, 3.0, 0.5), gravity, damping, true};
+}
+
+void reference_step(benchmark::State& state) {
+  Seeded s = bench::bank_after(static_cast<double>(state.range(0)));
+  const StepSettings settings = settings_of(s);
+  int since = 0;
+  Timer(state).run(
+      static_cast<double>(s.particles.count),
+      [&] {
+        if (since++ % steps_between_sorts == 0) sort_particles(s.particles, s.grid);
+        benchmark::DoNotOptimize(step(s.particles, s.grid, s.laws, settings));
+      },
+      [] {});
+}
+BENCHMARK(reference_step)->Arg(0)->Arg(5)->UseManualTime();
+
+void packed_step(benchmark::State& state) {
+  const Seeded s = bench::bank_after(static_cast<double>(state.range(0)));
+  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
+  const StepSettings settings = settings_of(s);
+  bool left = false;
+  Timer(state).run(
+      static_cast<double>(s.particles.count),
+      [&] {
+        if (is_untidy(*stage)) {
+          rearrange(stage->packs, stage->grid);
+          stage->strayed = 0;
+        }
+        benchmark::DoNotOptimize(step(*stage, settings, false, left));
+      },
+      [] {});
+  state.counters["points_per_pack"] =
+      static_cast<double>(stage->packs.count) / static_cast<double>(stage->packs.pack.size());
+  std::size_t windows = 0;
+  for (std::size_t i = 1; i < stage->packs.place.size(); ++i) {
+    const auto &a = stage->packs.place[i - 1], &b = stage->packs.place[i];
+    windows += a.row != b.row || a.column != b.column;
+  }
+  state.counters["packs_per_window"] =
+      static_cast<double>(stage->packs.pack.size()) / static_cast<double>(windows);
+}
+BENCHMARK(packed_step)->Arg(0)->Arg(5)->UseManualTime();
+
+void packed_points(benchmark::State& state) {
+  const Seeded s = bench::bank_after(static_cast<double>(state.range(0)));
+  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
+  const StepSettings settings = settings_of(s);
+  const auto nodes = [&] {
+    update_velocity(stage->grid, {settings.dt, settings.gravity, settings.damping});
+    if (stage->strayed * 6 > stage->packs.count) {
+      rearrange(stage->packs, stage->grid);
+      stage->strayed = 0;
+    }
+  };
+  nodes();
+  Timer(state).run(
+      static_cast<double>(s.particles.count),
+      [&] {
+        stage->strayed +=
+            step_packs(stage->packs, stage->grid, stage->laws, settings.dt, false).strayed;
+      },
+      nodes);
+}
+BENCHMARK(packed_points)->Arg(0)->Arg(5)->UseManualTime();
+
+void packed_nodes(benchmark::State& state) {
+  const Seeded s = bench::bank_after(0);
+  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
+  const StepSettings settings = settings_of(s);
+  Timer(state).run(
+      static_cast<double>(s.particles.count),
+      [&] {
+        update_velocity(stage->grid, {settings.dt, settings.gravity, settings.damping});
+      },
+      [&] { step_packs(stage->packs, stage->grid, stage->laws, settings.dt, false); });
+}
+BENCHMARK(packed_nodes)->UseManualTime();
+
+void packed_rearrangement(benchmark::State& state) {
+  const Seeded s = bench::bank_after(5);
+  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
+  Timer(state).run(
+      static_cast<double>(s.particles.count), [&] { rearrange(stage->packs, stage->grid); }, [] {});
+}
+BENCHMARK(packed_rearrangement)->UseManualTime();
+
+void unpacking(benchmark::State& state) {
+  Seeded s = bench::bank_after(5);
+  const auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
+  Timer(state).run(
+      static_cast<double>(s.particles.count),
+      [&] { unpack(stage->packs, stage->grid, s.particles); }, [] {});
+}
+BENCHMARK(unpacking)->UseManualTime();
+
+}  // namespace
