@@ -26,6 +26,13 @@ Hdf5Handle access_properties() {
   return access;
 }
 
+// Without the clock's time in it, the same frames give the same bytes.
+Hdf5Handle timeless(hid_t kind) {
+  Hdf5Handle creation(H5Pcreate(kind), H5Pclose);
+  H5Pset_obj_track_times(creation, false);
+  return creation;
+}
+
 }  // namespace
 
 struct ResultFileWriter::File {
@@ -93,7 +100,7 @@ Hdf5Handle ResultFileWriter::File::make_series(const char* name, hid_t type) con
   const hsize_t unlimited = H5S_UNLIMITED;
   const hsize_t chunk = 256;
   const Hdf5Handle space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
-  const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  const Hdf5Handle creation = timeless(H5P_DATASET_CREATE);
   H5Pset_chunk(creation, 1, &chunk);
   H5Pset_fletcher32(creation);
   return {check(H5Dcreate2(file, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), name),
@@ -106,7 +113,7 @@ Hdf5Handle ResultFileWriter::File::make_table(const char* name, hid_t type, hid_
   const std::array<hsize_t, 2> unlimited = {H5S_UNLIMITED, H5S_UNLIMITED};
   const std::array<hsize_t, 2> chunk = {1, chunk_particles};
   const Hdf5Handle space(H5Screate_simple(2, none.data(), unlimited.data()), H5Sclose);
-  const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  const Hdf5Handle creation = timeless(H5P_DATASET_CREATE);
   H5Pset_chunk(creation, 2, chunk.data());
   H5Pset_fill_value(creation, memory_type, fill);
   H5Pset_shuffle(creation);
@@ -161,11 +168,10 @@ ResultFileWriter::ResultFileWriter(const std::filesystem::path& file,
                                    const std::string& case_sha256, const std::string& version)
     : file_(std::make_unique<File>(file)) {
   keep_hdf5_quiet();
-  const Hdf5Handle access = access_properties();
+  const Hdf5Handle access = access_properties(), creation = timeless(H5P_FILE_CREATE);
   const std::string part = file_->place.part().string();
   file_->file = Hdf5Handle(
-      file_->check(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), "create"),
-      H5Fclose);
+      file_->check(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, creation, access), "create"), H5Fclose);
   file_->write_strings("format", {"leda-fields-1"}, true);
   file_->write_strings("case_sha256", {case_sha256}, true);
   file_->write_strings("version", {version}, true);

@@ -73,6 +73,8 @@ class ToCrs84 {
   /// @throws ExportError where PROJ does not know the code
   explicit ToCrs84(int epsg);
   ~ToCrs84();
+  ToCrs84(const ToCrs84&) = delete;
+  ToCrs84& operator=(const ToCrs84&) = delete;
   ToCrs84(ToCrs84&&) noexcept;
   ToCrs84& operator=(ToCrs84&&) noexcept;
 

@@ -95,8 +95,11 @@ std::string why_not(const Runs& runs) {
   const auto without = std::ranges::count_if(runs, [](const auto* run) { return !run->result; });
   const auto unstable =
       std::ranges::count_if(runs, [](const auto* run) { return run->result && !is_usable(*run); });
-  const auto going_on = std::ranges::count_if(
-      runs, [](const auto* run) { return is_usable(*run) && !has_ended(*run); });
+  const auto at_edge = std::ranges::count_if(
+      runs, [](const auto* run) { return is_usable(*run) && reached_edge(*run->result); });
+  const auto going_on = std::ranges::count_if(runs, [](const auto* run) {
+    return is_usable(*run) && !has_ended(*run) && !reached_edge(*run->result);
+  });
   std::string text;
   const auto add = [&](std::ptrdiff_t number, const char* what) {
     if (number == 0) return;
@@ -105,6 +108,7 @@ std::string why_not(const Runs& runs) {
   };
   add(without, "without a result");
   add(unstable, "unstable");
+  add(at_edge, "at the model's edge");
   add(going_on, "not at rest at their end");
   return text;
 }
@@ -222,7 +226,7 @@ bool is_usable(const StudyRun& run) {
 }
 
 bool has_ended(const StudyRun& run) {
-  return run.result &&
+  return run.result && !reached_edge(*run.result) &&
          (run.result->status == RunStatus::at_rest || run.result->status == RunStatus::stable);
 }
 

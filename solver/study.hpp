@@ -118,7 +118,7 @@ StudySummary summarize(const StudyQuestion& question, const std::vector<StudyRun
 /// The run's distances can be compared: a result stands and is not unstable.
 bool is_usable(const StudyRun& run);
 
-/// The slide ended, so its distances are no lower bounds.
+/// The slide ended within the model, so its distances are no lower bounds.
 bool has_ended(const StudyRun& run);
 
 }  // namespace leda::solver

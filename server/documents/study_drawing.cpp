@@ -206,8 +206,8 @@ std::string legend(const Look& look, double x) {
   }
   y += 34;
   out += mark(x + 9, y - 4, 4, "#ffffff", "#777777");
-  out += text_at(x + 26, y, "start", "not a choice: not at rest,");
-  out += text_at(x + 26, y + 14, "start", "unstable, or the reference");
+  out += text_at(x + 26, y, "start", "no choice: at the edge, not at");
+  out += text_at(x + 26, y + 14, "start", "rest, unstable, the reference");
   y += 42;
   out += fmt::format(
       "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"9\" fill=\"none\" stroke=\"#222222\" "

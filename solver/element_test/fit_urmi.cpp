@@ -135,7 +135,7 @@ void warn(const UrmiFitInput& input, UrmiFit& fit) {
         std::to_string(100 * input.residual_share).substr(0, 4) + " % of s_uR");
   }
   if (!fit.remolded_strain_from_test) {
-    warnings.push_back("remolded_strain is beyond the curve: from the correlation of eq. 3-13");
+    warnings.emplace_back("remolded_strain is beyond the curve: from the correlation of eq. 3-13");
   }
   if (fit.law.alpha < 0.6 || fit.law.alpha > 1.6) {
     warnings.push_back("alpha is " + std::to_string(fit.law.alpha).substr(0, 5) +
@@ -154,7 +154,7 @@ UrmiFit fit_urmi(const UrmiFitInput& input) {
   if (!fit.faults.empty()) return fit;
   const auto decay = fit_decay(input, residual, fit);
   if (!decay) {
-    fit.faults.push_back("the stress behind the peak does not fall like an exponential");
+    fit.faults.emplace_back("the stress behind the peak does not fall like an exponential");
     return fit;
   }
   fit.alpha_error = decay->alpha_error;

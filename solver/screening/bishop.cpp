@@ -1,5 +1,6 @@
 #include "solver/screening/bishop.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,10 +37,9 @@ Sums sum_moments(const std::vector<Slice>& slices, double factor) {
 }  // namespace
 
 bool is_frictionless_arc(const std::vector<Slice>& slices) {
-  for (const Slice& s : slices) {
-    if (s.resistance.tan_phi > 0 || std::abs(s.normal_arm) > 1e-9 * s.shear_arm) return false;
-  }
-  return true;
+  return std::ranges::all_of(slices, [](const Slice& s) {
+    return s.resistance.tan_phi <= 0 && std::abs(s.normal_arm) <= 1e-9 * s.shear_arm;
+  });
 }
 
 double bishop(const std::vector<Slice>& slices) {

@@ -13,8 +13,8 @@ namespace {
 
 std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+  const int length = std::snprintf(text, sizeof text, "%.3g", value);
+  return {text, std::size_t(std::max(length, 0))};
 }
 
 /// What the factors of safety of phi = 0 lose when every input is at its worst: they are
@@ -117,7 +117,8 @@ class Decider {
       to_simulate("nothing softens, but the undrained factor of safety is " +
                   number(*result_.worst_intact) + " < 1 for the worst inputs: it may slip");
     }
-    if (stands_) result_.reasons.push_back("nothing sensitive: no material of the section softens");
+    if (stands_)
+      result_.reasons.emplace_back("nothing sensitive: no material of the section softens");
     return conclude();
   }
 
@@ -150,9 +151,10 @@ class Decider {
 /// What calls for a simulation goes first.
 void put_deciding_reason_first(ScreeningResult& result) {
   if (result.decision == Decision::stable) return;
-  std::ranges::stable_partition(result.reasons, [](const std::string& reason) {
-    return reason.find(" >= ") == std::string::npos && !reason.starts_with("no slip surface");
-  });
+  std::stable_partition(
+      result.reasons.begin(), result.reasons.end(), [](const std::string& reason) {
+        return reason.find(" >= ") == std::string::npos && !reason.starts_with("no slip surface");
+      });
 }
 
 ScreeningResult screen_completely(const Section& section, const RunSettings& settings,

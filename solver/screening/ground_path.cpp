@@ -92,9 +92,8 @@ std::vector<double> GroundPath::stations(std::size_t count) const {
     at.push_back(length() * static_cast<double>(sample) / (samples - 1));
   }
   std::ranges::sort(at);
-  const auto same =
-      std::ranges::unique(at, [&](double a, double b) { return b - a < 0.01 * relief; });
-  at.erase(same.begin(), same.end());
+  const auto close = [&](double a, double b) { return b - a < 0.01 * relief; };
+  at.erase(std::unique(at.begin(), at.end(), close), at.end());
   return at;
 }
 

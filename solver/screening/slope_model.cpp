@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace leda::solver {
 namespace {
@@ -39,8 +40,8 @@ Stratum resolve(const Section& section, std::size_t index, bool drained) {
 
 }  // namespace
 
-SlopeModel::SlopeModel(const Section& section, const Polyline& present, Drainage drainage)
-    : ground(present),
+SlopeModel::SlopeModel(const Section& section, Polyline present, Drainage drainage)
+    : ground(std::move(present)),
       reference(section.ground),
       base(section.base_m),
       drained(drainage == Drainage::drained) {

@@ -54,9 +54,9 @@ struct Resistance {
 
 /// @pre keep `section` alive as long as the model
 struct SlopeModel {
-  /// @param ground the surface as it is; layers, strengths over depth and water keep to the
+  /// @param present the surface as it is; layers, strengths over depth and water keep to the
   /// section's own ground, so that a cut does not move them
-  SlopeModel(const Section& section, const Polyline& ground, Drainage drainage);
+  SlopeModel(const Section& section, Polyline present, Drainage drainage);
 
   Polyline ground;     ///< the surface as it is
   Polyline reference;  ///< the section's own ground
@@ -82,11 +82,11 @@ class Column {
   double weight_above(double z) const;
   Resistance resistance_at(double z) const;
   /// On the bottom of a stratum: the weaker of the two sides.
-  Resistance resistance_on(std::size_t stratum) const;
+  Resistance resistance_on(std::size_t index) const;
 
  private:
   std::size_t stratum_at(double z) const;
-  Resistance resistance_in(std::size_t stratum, double z) const;
+  Resistance resistance_in(std::size_t index, double z) const;
 
   const SlopeModel* model_;
   LineWalker present_, own_, water_;

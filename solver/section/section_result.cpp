@@ -1,6 +1,8 @@
 #include "solver/section/section_result.hpp"
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 namespace leda {
@@ -29,6 +31,12 @@ std::optional<RunStatus> run_status_from(const std::string& text) {
     if (text == name) return value;
   }
   return std::nullopt;
+}
+
+bool reached_edge(const SectionResult& result) {
+  return std::ranges::any_of(result.warnings, [](const std::string_view warning) {
+    return warning.ends_with("is a lower bound");
+  });
 }
 
 }  // namespace leda

@@ -48,4 +48,7 @@ struct SectionResult {
   std::string version;
 };
 
+/// Whether the model's edge cut a distance short: a warning then ends with "is a lower bound".
+bool reached_edge(const SectionResult& result);
+
 }  // namespace leda

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
+#include <chrono>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <stdexcept>
+#include <thread>
 
 #include "db/frame_fields.hpp"
 #include "tests/db/frames.hpp"
@@ -53,6 +55,15 @@ TEST(ResultFile, FramesComeBackWhole) {
   const auto back = read_result_file(folder / "fields.h5");
   ASSERT_EQ(back.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) expect_equal(back[i], frames[i]);
+}
+
+TEST(ResultFile, TheSameFramesGiveTheSameBytesAtAnotherTime) {
+  const ScratchFolder folder;
+  const std::vector<Frame> frames = {frame(0, 50), frame(0.5, 50)};
+  write(folder / "early.h5", frames);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 counts seconds
+  write(folder / "late.h5", frames);
+  EXPECT_TRUE(bytes_of(folder / "early.h5") == bytes_of(folder / "late.h5"));
 }
 
 TEST(ResultFile, ParticlesMayBecomeFewerMoreOrNone) {

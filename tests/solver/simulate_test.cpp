@@ -62,6 +62,17 @@ TEST(Simulate, TheReferenceBalancesToRoundOff) {
   EXPECT_LT(r.balances.energy, 0.05);
 }
 
+TEST(Simulate, ASlideToTheEdgeOfTheModelSaysSo) {
+  RunSettings settings = coarse();
+  settings.trigger = UndrainedTrigger{4.0};
+  Section narrow = one_slide();
+  EXPECT_FALSE(reached_edge(simulate(narrow, settings)));
+  narrow.ground.front().x = 34;
+  narrow.ground.back().x = narrow.ground[2].x + 5;
+  const SectionResult r = simulate(narrow, settings);
+  EXPECT_TRUE(reached_edge(r)) << "R " << r.crest_to_crest_retrogression_m << " L " << r.runout_m;
+}
+
 TEST(Simulate, TheSameCaseGivesTheSameBytes) {
   Frame first, second;
   Listener listener;

@@ -109,6 +109,16 @@ TEST(Summary, ASettingThatDidNotComeToRestIsShownAndNeverNamed) {
   EXPECT_EQ(summary.fastest_by(Measure::both).by_mean, 0U);
 }
 
+TEST(Summary, ASettingThatReachedTheModelsEdgeIsShownAndNeverNamed) {
+  auto some = runs();
+  some[4].result->warnings = {"the front reached the model's edge: runout is a lower bound"};
+  const auto summary = summarize(question(), some);
+  EXPECT_EQ(summary.settings[1].not_a_choice, "1 of 3 runs at the model's edge");
+  EXPECT_EQ(summary.settings[1].runout_m->count, 3U);
+  EXPECT_FALSE(summary.settings[1].by(Measure::runout).mean_within);
+  EXPECT_EQ(summary.fastest_by(Measure::both).by_mean, 0U);
+}
+
 TEST(Summary, UnstableAndMissingRunsLeaveNoNumbers) {
   auto some = runs();
   some[0].result->status = RunStatus::unstable;

@@ -54,7 +54,7 @@ TEST(DamBreak, HeightOfMartinAndMoyce) {
   constexpr std::array left{0.94, 0.89, 0.83, 0.78, 0.72, 0.67, 0.61, 0.56, 0.50,
                             0.44, 0.39, 0.33, 0.28, 0.22, 0.17, 0.11, 0.06};
   constexpr std::size_t first = 12;
-  const double a = 0.05715, unit = std::sqrt(a / Fluid::g), cell = a / 16;
+  const double a = 0.05715, unit = std::sqrt(a / Fluid::g), cell = a / 32;
   Fluid fluid({.width = a, .height = 2 * a, .room = 24 * a, .cell = cell});
   Path path;
   for (double t = 0; t < 7.5 * unit; t += fluid.advance())
