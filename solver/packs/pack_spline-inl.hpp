@@ -28,9 +28,9 @@ template <class D>
 HWY_INLINE PackAxis<D> pack_axis(D d, hn::Vec<D> u) {
   PackAxis<D> a;
   const auto half = hn::Set(d, Real{0.5}), one = hn::Set(d, Real{1});
-  const auto rest = hn::Sub(one, u), middle = hn::Sub(half, u);
-  const auto before = hn::Neg(hn::Add(u, half));
-  a.s[0] = hn::Neg(rest);
+  const auto rest = hn::Sub(u, one), middle = hn::Sub(half, u);
+  const auto before = hn::Sub(hn::Set(d, Real{-0.5}), u);
+  a.s[0] = rest;
   a.s[1] = hn::Add(middle, middle);
   a.s[2] = u;
   a.w[0] = hn::Mul(half, hn::Mul(rest, rest));
@@ -64,8 +64,8 @@ HWY_INLINE PackVelocity<D> pack_velocity(D d, const Real* nodes, std::size_t str
       const auto below = hn::Sub(middle, hn::LoadU(d, v));
       const auto above = hn::Sub(hn::LoadU(d, v + 2), middle);
       value[c][axis] = hn::MulAdd(z.w[2], above, hn::NegMulAdd(z.w[0], below, middle));
-      slope[c][axis] = hn::MulAdd(z.s[2], above, hn::NegMulAdd(z.s[0], below, hn::Zero(d)));
-      moment[c][axis] = hn::MulAdd(z.wd[2], above, hn::Neg(hn::Mul(z.wd[0], below)));
+      slope[c][axis] = hn::NegMulAdd(z.s[0], below, hn::Mul(z.s[2], above));
+      moment[c][axis] = hn::NegMulAdd(z.wd[0], below, hn::Mul(z.wd[2], above));
     }
   }
   const auto weigh = [&](const hn::Vec<D>(&v)[3][2], std::size_t axis) {
@@ -75,7 +75,7 @@ HWY_INLINE PackVelocity<D> pack_velocity(D d, const Real* nodes, std::size_t str
   const auto differ = [&](const hn::Vec<D>(&weight)[3], std::size_t axis) {
     const auto right = hn::Sub(value[2][axis], value[1][axis]);
     const auto left = hn::Sub(value[1][axis], value[0][axis]);
-    return hn::MulAdd(weight[2], right, hn::Neg(hn::Mul(weight[0], left)));
+    return hn::NegMulAdd(weight[0], left, hn::Mul(weight[2], right));
   };
   return {weigh(value, 0),  weigh(value, 1), differ(x.wd, 0), weigh(moment, 0), differ(x.wd, 1),
           weigh(moment, 1), differ(x.s, 0),  weigh(slope, 0), differ(x.s, 1),   weigh(slope, 1)};
