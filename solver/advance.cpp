@@ -75,8 +75,9 @@ std::optional<StageEnd> advance(RunState& run, const LawTable& laws, double damp
                               run.settings->time_step_factor);
   const StepSettings settings{dt, gravity, damping, move};
   bool left_grid = false;
-  const StepSums sums = run.packed ? step(*run.packed, settings, is_looked_at(run, dt), left_grid)
-                                   : step(run.seeded.particles, run.seeded.grid, laws, settings);
+  const StepSums sums =
+      run.packed ? step(*run.packed, settings, is_looked_at(run, dt), *run.team, left_grid)
+                 : step(run.seeded.particles, run.seeded.grid, laws, settings);
   run.audit.add(sums, settings);
   run.fastest = std::sqrt(sums.particles.fastest_squared);
   run.travel += run.fastest * dt;

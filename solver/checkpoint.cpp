@@ -185,7 +185,10 @@ bool load_state(const std::string& bytes, RunState& run) {
   }
   fits = fits && p.law.size() == p.x.size() && p.id.size() == p.x.size();
   if (!fits || (packed && !packs_fit(*read.packed, p))) return false;
-  if (packed) spread(read.packed->packs, read.packed->grid);
+  if (packed) {
+    find_groups(read.packed->packs, read.packed->grid);
+    spread_all(*read.packed);
+  }
   run = std::move(read);
   run.resumed = true;
   return true;

@@ -1,6 +1,7 @@
 #pragma once
 // Everything a run carries from step to step.
 
+#include <memory>
 #include <string>
 
 #include "solver/audit.hpp"
@@ -30,6 +31,7 @@ struct RunState {
 
   Seeded seeded;  ///< its particles are those of the last look while `packed` holds a stage
   std::optional<PackedStage> packed;
+  std::shared_ptr<Team> team;  ///< of the process, no part of the state
   CrestAndToe bank;
   Surface ground;  ///< tops of the particle columns before anything moved
   SlideCount slides;

@@ -156,10 +156,11 @@ RunState start(const Section& section, const RunSettings& settings, const Listen
 }  // namespace
 
 SectionResult simulate(const Section& section, const RunSettings& settings,
-                       const Listener& listener) {
+                       const Listener& listener, int threads) {
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   RunState run = start(section, settings, listener);
+  run.team = std::make_shared<Team>(threads);
   std::string used = "none";
   StageEnd end;
   if (!listener.resume_from.empty()) load_state(listener.resume_from, run);

@@ -34,10 +34,10 @@ struct Listener {
   std::function<void(bool taken_up)> resumed;
 };
 
-/// Runs one section, serially and with the same bytes every time.
+/// Runs one section, with the same bytes every time, whatever the number of threads.
 /// Failure of the run is a status of the result, never an exception.
-/// @pre validate(section, settings) is empty
+/// @pre validate(section, settings) is empty; threads >= 1
 SectionResult simulate(const Section& section, const RunSettings& settings,
-                       const Listener& listener = {});
+                       const Listener& listener = {}, int threads = 1);
 
 }  // namespace leda::solver

@@ -26,6 +26,7 @@ struct Options {
   bool keep_checkpoint = false;
   double checkpoint_interval_s = RunOptions{}.checkpoint_interval_s;
   bool full = false;
+  int threads = 1;
 };
 
 std::string text_of(const std::filesystem::path& file) {
@@ -80,6 +81,7 @@ int simulate(const Options& options) {
   const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
   RunOptions run_options;
   run_options.full = options.full;
+  run_options.threads = options.threads;
   run_options.interrupted = InterruptSignals::arrived;
   run_options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   run_options.keep_checkpoint = options.keep_checkpoint;
@@ -115,6 +117,11 @@ void add_simulate(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command->add_flag("--keep-checkpoint", options->keep_checkpoint,
                     "leave the last checkpoint beside the result");
+  command
+      ->add_option("--threads", options->threads,
+                   "cores for this one section; the result is the same for any number")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
   command->add_flag("--full", options->full,
                     "the reference way: double precision and every saving off, to compare with");
   command->footer(

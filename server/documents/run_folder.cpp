@@ -160,7 +160,8 @@ RunOutcome run_case(std::string_view case_text, const fs::path& folder, const Ru
   RunFiles files(*parsed.value, sha256, folder, options);
   RunSettings settings = parsed.value->settings;
   settings.full = options.full;
-  SectionResult result = solver::simulate(parsed.value->section, settings, files.listener());
+  SectionResult result =
+      solver::simulate(parsed.value->section, settings, files.listener(), options.threads);
   if (result.status == RunStatus::interrupted) {
     outcome.code = ExitCode::interrupted;
     return outcome;

@@ -34,6 +34,7 @@ struct RunOptions {
   /// no more than the steps since then. Whoever takes the result in removes it.
   bool keep_checkpoint = false;
   bool full = false;  ///< RunSettings::full
+  int threads = 1;    ///< the result is the same for any number
 };
 
 struct RunOutcome {

@@ -96,7 +96,7 @@ void share_law(Pack& p) {
 
 // Builds the packs of an arrangement; take(source, pack, lane, number of the pack) copies a point.
 template <class Take>
-void fill(Packs& packs, Arrangement&& a, const Take& take) {
+void fill(Packs& packs, const PackGrid& grid, Arrangement&& a, const Take& take) {
   packs.pack.assign(a.place.size(), empty_pack());
   packs.place = std::move(a.place);
   packs.motion.resize(packs.place.size());
@@ -107,6 +107,7 @@ void fill(Packs& packs, Arrangement&& a, const Take& take) {
     }
     share_law(packs.pack[i]);
   }
+  find_groups(packs, grid);
 }
 
 }  // namespace
@@ -122,32 +123,33 @@ bool pack(const Particles& particles, PackGrid& grid, Packs& packs) {
               static_cast<std::uint32_t>(row);
   }
   packs.count = particles.count;
-  fill(packs, arrange(cell, grid), [&](std::size_t from, Pack& p, std::size_t l, std::size_t i) {
-    const auto within = [&](double at) {
-      // Rounding to single precision must not carry a point over the edge of its cell.
-      const Real part = static_cast<Real>(at * per_h + 0.5 - home(at));
-      return std::min(part, std::nextafter(Real{1}, Real{0}));
-    };
-    const auto real = [](double value) { return static_cast<Real>(value); };
-    p.x[l] = within(particles.x[from]);
-    p.z[l] = within(particles.z[from]);
-    p.sxx[l] = real(particles.sxx[from]);
-    p.szz[l] = real(particles.szz[from]);
-    p.sxz[l] = real(particles.sxz[from]);
-    p.syy[l] = real(particles.syy[from]);
-    p.mass[l] = real(particles.mass[from]);
-    p.volume[l] = real(particles.volume[from]);
-    p.plastic_strain[l] = real(particles.plastic_strain[from]);
-    p.law[l] = particles.law[from];
-    p.particle[l] = static_cast<std::int32_t>(from);
-    PackMotion& m = packs.motion[i];
-    m.vx[l] = real(particles.vx[from]);
-    m.vz[l] = real(particles.vz[from]);
-    m.cxx[l] = real(particles.cxx[from] * grid.h);
-    m.cxz[l] = real(particles.cxz[from] * grid.h);
-    m.czx[l] = real(particles.czx[from] * grid.h);
-    m.czz[l] = real(particles.czz[from] * grid.h);
-  });
+  fill(packs, grid, arrange(cell, grid),
+       [&](std::size_t from, Pack& p, std::size_t l, std::size_t i) {
+         const auto within = [&](double at) {
+           // Rounding to single precision must not carry a point over the edge of its cell.
+           const Real part = static_cast<Real>(at * per_h + 0.5 - home(at));
+           return std::min(part, std::nextafter(Real{1}, Real{0}));
+         };
+         const auto real = [](double value) { return static_cast<Real>(value); };
+         p.x[l] = within(particles.x[from]);
+         p.z[l] = within(particles.z[from]);
+         p.sxx[l] = real(particles.sxx[from]);
+         p.szz[l] = real(particles.szz[from]);
+         p.sxz[l] = real(particles.sxz[from]);
+         p.syy[l] = real(particles.syy[from]);
+         p.mass[l] = real(particles.mass[from]);
+         p.volume[l] = real(particles.volume[from]);
+         p.plastic_strain[l] = real(particles.plastic_strain[from]);
+         p.law[l] = particles.law[from];
+         p.particle[l] = static_cast<std::int32_t>(from);
+         PackMotion& m = packs.motion[i];
+         m.vx[l] = real(particles.vx[from]);
+         m.vz[l] = real(particles.vz[from]);
+         m.cxx[l] = real(particles.cxx[from] * grid.h);
+         m.cxz[l] = real(particles.cxz[from] * grid.h);
+         m.czx[l] = real(particles.czx[from] * grid.h);
+         m.czz[l] = real(particles.czz[from] * grid.h);
+       });
   return true;
 }
 
@@ -169,23 +171,35 @@ bool rearrange(Packs& packs, PackGrid& grid) {
   }
   Packs old;
   old.pack.swap(packs.pack);
-  fill(packs, arrange(cell, grid), [&](std::size_t from, Pack& p, std::size_t l, std::size_t) {
-    const Pack& q = old.pack[from / Pack::lanes];
-    const std::size_t s = from % Pack::lanes;
-    p.x[l] = q.x[s] - std::floor(q.x[s]);
-    p.z[l] = q.z[s] - std::floor(q.z[s]);
-    p.sxx[l] = q.sxx[s];
-    p.szz[l] = q.szz[s];
-    p.sxz[l] = q.sxz[s];
-    p.syy[l] = q.syy[s];
-    p.mass[l] = q.mass[s];
-    p.volume[l] = q.volume[s];
-    p.plastic_strain[l] = q.plastic_strain[s];
-    p.plastic_rest[l] = q.plastic_rest[s];
-    p.law[l] = q.law[s];
-    p.particle[l] = q.particle[s];
-  });
+  fill(packs, grid, arrange(cell, grid),
+       [&](std::size_t from, Pack& p, std::size_t l, std::size_t) {
+         const Pack& q = old.pack[from / Pack::lanes];
+         const std::size_t s = from % Pack::lanes;
+         p.x[l] = q.x[s] - std::floor(q.x[s]);
+         p.z[l] = q.z[s] - std::floor(q.z[s]);
+         p.sxx[l] = q.sxx[s];
+         p.szz[l] = q.szz[s];
+         p.sxz[l] = q.sxz[s];
+         p.syy[l] = q.syy[s];
+         p.mass[l] = q.mass[s];
+         p.volume[l] = q.volume[s];
+         p.plastic_strain[l] = q.plastic_strain[s];
+         p.plastic_rest[l] = q.plastic_rest[s];
+         p.law[l] = q.law[s];
+         p.particle[l] = q.particle[s];
+       });
   return true;
+}
+
+void find_groups(Packs& packs, const PackGrid& grid) {
+  const std::size_t groups = (grid.columns + columns_of_a_group - 1) / columns_of_a_group;
+  packs.group.assign(groups + 1, packs.place.size());
+  for (std::size_t i = packs.place.size(); i-- > 0;) {
+    packs.group[packs.place[i].column / columns_of_a_group] = i;
+  }
+  for (std::size_t g = groups; g-- > 0;) {
+    packs.group[g] = std::min(packs.group[g], packs.group[g + 1]);
+  }
 }
 
 void unpack(const Packs& packs, const PackGrid& grid, Particles& particles) {

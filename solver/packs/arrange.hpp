@@ -15,6 +15,9 @@ bool pack(const Particles& particles, PackGrid& grid, Packs& packs);
 /// @return false where a point has left the grid; nothing is changed then
 bool rearrange(Packs& packs, PackGrid& grid);
 
+/// Finds the groups of packs that stand in their places.
+void find_groups(Packs& packs, const PackGrid& grid);
+
 /// Writes what the packs hold to the particles they came from.
 /// @pre the last step kept the motion
 void unpack(const Packs& packs, const PackGrid& grid, Particles& particles);

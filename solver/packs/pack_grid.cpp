@@ -12,7 +12,6 @@ PackGrid make_pack_grid(const Grid& grid) {
   g.sums.assign(g.columns * PackGrid::values * PackGrid::planes * g.stride, Real{0});
   g.velocity.assign(g.columns * 2 * g.stride, Real{0});
   g.top.assign(g.columns, 0);
-  g.nodes.assign(3 * PackGrid::values * g.stride, Real{0});
   return g;
 }
 

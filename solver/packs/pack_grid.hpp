@@ -23,7 +23,6 @@ struct PackGrid {
   std::vector<Real> sums;        ///< [columns][values][planes][stride]
   std::vector<Real> velocity;    ///< [columns][x z][stride]
   std::vector<std::size_t> top;  ///< rows in use in each column
-  std::vector<Real> nodes;       ///< room for three columns, [3][values][stride]
 
   Real* sums_at(std::size_t column, std::size_t row) {
     return &sums[column * values * planes * stride + lead + row];
@@ -35,8 +34,10 @@ struct PackGrid {
 
 PackGrid make_pack_grid(const Grid& grid);
 
-/// The momentum balance on the nodes, as update_velocity does it. The sums are zero afterwards.
-/// Of the sums returned, weight and unbalanced force are left out.
-GridSums update_velocity(PackGrid& grid, const GridStep& step);
+/// The momentum balance on the nodes of columns `first` to `last` - 1, as update_velocity does it
+/// (the image columns go with the column they mirror). The sums are zero afterwards. Of the sums
+/// returned, weight and unbalanced force are left out.
+/// @pre 1 <= first, last <= columns - 1
+GridSums update_columns(PackGrid& grid, const GridStep& step, std::size_t first, std::size_t last);
 
 }  // namespace leda::solver

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <vector>
 
 #include "solver/packs/pack_grid.hpp"
 
@@ -23,10 +24,6 @@ struct Nodes {
   std::size_t stride;
   Real* value(std::size_t v) const { return first + v * stride + PackGrid::lead; }
 };
-
-Nodes nodes(PackGrid& grid, std::size_t slot) {
-  return {&grid.nodes[slot * PackGrid::values * grid.stride], grid.stride};
-}
 
 std::size_t whole_vectors(std::size_t rows) { return (rows + lanes - 1) / lanes * lanes; }
 
@@ -160,27 +157,31 @@ HWY_INLINE void mirror_side(PackGrid& grid, std::size_t image, std::size_t insid
   }
 }
 
-GridSums UpdateVelocity(PackGrid& grid, const GridStep& step) {
+GridSums UpdateColumns(PackGrid& grid, const GridStep& step, std::size_t first, std::size_t last) {
   GridSums sums;
   const auto gravity = static_cast<Real>(step.gravity);
-  const std::size_t last = grid.columns - 1;
-  const Nodes left = nodes(grid, 0), right = nodes(grid, 1), own = nodes(grid, 2);
-  combine(grid, 0, left, gravity);
-  combine(grid, last, right, gravity);
-  for (std::size_t i = 1; i < last; ++i) {
+  const std::size_t image = grid.columns - 1;
+  std::vector<Real> room(2 * PackGrid::values * grid.stride);
+  const Nodes own{room.data(), grid.stride};
+  const Nodes outside{room.data() + PackGrid::values * grid.stride, grid.stride};
+  const auto fold = [&](std::size_t from) {
+    combine(grid, from, outside, gravity);
+    fold_side(outside, own, whole_vectors(grid.top[from]));
+  };
+  for (std::size_t i = first; i < last; ++i) {
     if (grid.top[i] < 3) continue;
     combine(grid, i, own, gravity);
-    if (i == 2) fold_side(left, own, whole_vectors(grid.top[0]));
-    if (i == last - 2) fold_side(right, own, whole_vectors(grid.top[last]));
-    if (i == 1 || i == last - 1) hold_side(own, whole_vectors(grid.top[i]));
+    if (i == 2) fold(0);
+    if (i == image - 2) fold(image);
+    if (i == 1 || i == image - 1) hold_side(own, whole_vectors(grid.top[i]));
     fold_base(own);
     // Row 0 is an image: what it had was folded, and it must not count again.
     for (std::size_t v = 0; v < PackGrid::values; ++v) own.value(v)[0] = 0;
     accelerate_column(grid, i, own, step, sums);
     mirror_base(grid, i);
+    if (i == 2) mirror_side(grid, 0, i);
+    if (i == image - 2) mirror_side(grid, image, i);
   }
-  mirror_side(grid, 0, 2);
-  mirror_side(grid, last, last - 2);
   return sums;
 }
 
@@ -191,10 +192,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace leda::solver {
 
-HWY_EXPORT(UpdateVelocity);
+HWY_EXPORT(UpdateColumns);
 
-GridSums update_velocity(PackGrid& grid, const GridStep& step) {
-  return HWY_DYNAMIC_DISPATCH(UpdateVelocity)(grid, step);
+GridSums update_columns(PackGrid& grid, const GridStep& step, std::size_t first, std::size_t last) {
+  return HWY_DYNAMIC_DISPATCH(UpdateColumns)(grid, step, first, last);
 }
 
 }  // namespace leda::solver

@@ -321,13 +321,14 @@ HWY_NOINLINE bool spread_block(Packs& packs, std::size_t first, std::size_t coun
   return inside;
 }
 
-PackSums StepPacks(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep) {
+PackSums StepPacks(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep,
+                   std::size_t begin, std::size_t end) {
   const StepScales scale{static_cast<Real>(dt), static_cast<Real>(dt / grid.h)};
   PackSums total;
   Between between;
   bool inside = true;
-  for (std::size_t first = 0; first < packs.pack.size(); first += block) {
-    const std::size_t count = std::min(block, packs.pack.size() - first);
+  for (std::size_t first = begin; first < end; first += block) {
+    const std::size_t count = std::min(block, end - first);
     inside = gather_block(packs, first, count, grid, between) && inside;
     update_block(&packs.pack[first], count, laws, scale, between, total.particles);
     inside = spread_block(packs, first, count, keep, grid, between, total.strayed) && inside;
@@ -336,10 +337,10 @@ PackSums StepPacks(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt
   return total;
 }
 
-void Spread(const Packs& packs, PackGrid& grid) {
+void Spread(const Packs& packs, PackGrid& grid, std::size_t first, std::size_t last) {
   const Lanes d;
   std::size_t strayed = 0;
-  for (std::size_t i = 0; i < packs.pack.size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     const Pack& p = packs.pack[i];
     const PackMotion& k = packs.motion[i];
     for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
@@ -361,11 +362,14 @@ namespace leda::solver {
 HWY_EXPORT(StepPacks);
 HWY_EXPORT(Spread);
 
-PackSums step_packs(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep) {
-  return HWY_DYNAMIC_DISPATCH(StepPacks)(packs, grid, laws, dt, keep);
+PackSums step_packs(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep,
+                    std::size_t first, std::size_t last) {
+  return HWY_DYNAMIC_DISPATCH(StepPacks)(packs, grid, laws, dt, keep, first, last);
 }
 
-void spread(const Packs& packs, PackGrid& grid) { HWY_DYNAMIC_DISPATCH(Spread)(packs, grid); }
+void spread(const Packs& packs, PackGrid& grid, std::size_t first, std::size_t last) {
+  HWY_DYNAMIC_DISPATCH(Spread)(packs, grid, first, last);
+}
 
 }  // namespace leda::solver
 #endif

@@ -14,12 +14,13 @@ struct PackSums {
   bool left_grid = false;   ///< a point has gone where there are no nodes
 };
 
-/// Adds every point to the sums of the grid.
+/// Adds the points of packs `first` to `last` - 1 to the sums of the grid.
 /// @pre packs.motion holds its motion
-void spread(const Packs& packs, PackGrid& grid);
+void spread(const Packs& packs, PackGrid& grid, std::size_t first, std::size_t last);
 
 /// As grid_to_particles, then as particles_to_grid (transfer.hpp), for laws without rate and flow.
-/// `keep`: packs.motion is written.
-PackSums step_packs(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep);
+/// For the packs `first` to `last` - 1; `keep`: packs.motion is written.
+PackSums step_packs(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep,
+                    std::size_t first, std::size_t last);
 
 }  // namespace leda::solver

@@ -1,5 +1,6 @@
 #include "solver/packs/packed_stage.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace leda::solver {
@@ -19,6 +20,16 @@ double plane_sum(const PackGrid& grid, std::size_t column, std::size_t value) {
   return sum;
 }
 
+void add(const GridSums& nodes, const ParticleSums& points, StepSums& sums) {
+  sums.grid.kinetic_before += nodes.kinetic_before;
+  sums.grid.kinetic_after += nodes.kinetic_after;
+  sums.grid.damping_work += nodes.damping_work;
+  sums.particles.stress_work += points.stress_work;
+  sums.particles.momentum_x += points.momentum_x;
+  sums.particles.momentum_z += points.momentum_z;
+  sums.particles.fastest_squared = std::max(sums.particles.fastest_squared, points.fastest_squared);
+}
+
 }  // namespace
 
 bool packs_can_run(const Grid& grid, const LawTable& laws) {
@@ -31,18 +42,46 @@ std::optional<PackedStage> begin_packed_stage(const Particles& particles, const 
   stage.grid = make_pack_grid(grid);
   stage.laws = pack_laws(laws);
   if (!pack(particles, stage.grid, stage.packs)) return {};
-  spread(stage.packs, stage.grid);
+  spread_all(stage);
   return stage;
 }
 
-StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, bool& left_grid) {
+void spread_all(PackedStage& stage) {
+  const auto& group = stage.packs.group;
+  for (const std::size_t first : {0, 1}) {
+    for (std::size_t g = first; g + 1 < group.size(); g += 2) {
+      spread(stage.packs, stage.grid, group[g], group[g + 1]);
+    }
+  }
+}
+
+StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team& team,
+              bool& left_grid) {
+  const auto& group = stage.packs.group;
+  const std::size_t groups = group.size() - 1;
+  std::vector<GridSums> nodes(groups);
+  team.run(groups, [&](std::size_t g) {
+    const std::size_t first = std::max<std::size_t>(1, g * columns_of_a_group);
+    const std::size_t last = std::min((g + 1) * columns_of_a_group, stage.grid.columns - 1);
+    const GridStep grid_step{settings.dt, settings.gravity, settings.damping};
+    nodes[g] = update_columns(stage.grid, grid_step, first, last);
+  });
+  std::vector<PackSums> points(groups);
+  for (const std::size_t first : {0, 1}) {  // neighbours share nodes, so they wait for each other
+    team.run((groups + 1 - first) / 2, [&](std::size_t i) {
+      const std::size_t g = first + 2 * i;
+      points[g] = step_packs(stage.packs, stage.grid, stage.laws, settings.dt, keep, group[g],
+                             group[g + 1]);
+    });
+  }
   StepSums sums;
-  sums.grid = update_velocity(stage.grid, {settings.dt, settings.gravity, settings.damping});
-  const PackSums points = step_packs(stage.packs, stage.grid, stage.laws, settings.dt, keep);
-  sums.particles = points.particles;
-  stage.strayed += points.strayed;
+  left_grid = false;
+  for (std::size_t g = 0; g < groups; ++g) {
+    add(nodes[g], points[g].particles, sums);
+    stage.strayed += points[g].strayed;
+    left_grid = left_grid || points[g].left_grid;
+  }
   stage.kept = keep;
-  left_grid = points.left_grid;
   return sums;
 }
 

@@ -5,6 +5,7 @@
 
 #include "solver/packs/arrange.hpp"
 #include "solver/packs/pack_step.hpp"
+#include "solver/packs/team.hpp"
 #include "solver/section/section_result.hpp"
 #include "solver/step.hpp"
 
@@ -25,9 +26,14 @@ bool packs_can_run(const Grid& grid, const LawTable& laws);
 std::optional<PackedStage> begin_packed_stage(const Particles& particles, const Grid& grid,
                                               const LawTable& laws);
 
+/// Adds all points to the sums, in the order in which a step does.
+/// @pre packs.motion holds their motion
+void spread_all(PackedStage& stage);
+
 /// step() of a moving stage, on packs. `keep`: the motion can be read afterwards.
 /// @pre no point has moved by more than a cell since the packs were arranged
-StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, bool& left_grid);
+StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team& team,
+              bool& left_grid);
 
 /// Whether so many points have strayed that arranging them anew is the cheaper way on.
 bool is_untidy(const PackedStage& stage);

@@ -45,11 +45,18 @@ struct PackPlace {
   std::uint32_t column, row;
 };
 
+/// Columns that are worked on as one. The order of sums is that of the groups, even ones before odd
+/// ones, however many threads there are.
+inline constexpr std::size_t columns_of_a_group = 16;
+
 struct Packs {
   std::size_t count = 0;  ///< points
   std::vector<Pack> pack;
   std::vector<PackPlace> place;
   std::vector<PackMotion> motion;
+  /// First pack of each group of columns, and the end. What the packs of one group give to the
+  /// nodes touches the group's neighbours and no group beyond.
+  std::vector<std::size_t> group;
 };
 
 /// The law table in single precision, without rate and flow.

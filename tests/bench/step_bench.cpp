@@ -47,6 +47,11 @@ StepSettings settings_of(const Seeded& seeded) {
   return {time_step(seeded.grid.h, seeded.laws.stiffest_speed, 3.0, 0.5), gravity, damping, true};
 }
 
+void update_all(PackedStage& stage, const StepSettings& settings) {
+  update_columns(stage.grid, {settings.dt, settings.gravity, settings.damping}, 1,
+                 stage.grid.columns - 1);
+}
+
 void reference_step(benchmark::State& state) {
   Seeded s = bench::bank_after(static_cast<double>(state.range(0)));
   const StepSettings settings = settings_of(s);
@@ -65,6 +70,7 @@ void packed_step(benchmark::State& state) {
   const Seeded s = bench::bank_after(static_cast<double>(state.range(0)));
   auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
   const StepSettings settings = settings_of(s);
+  Team team(1);
   bool left = false;
   Timer(state).run(
       static_cast<double>(s.particles.count),
@@ -73,7 +79,7 @@ void packed_step(benchmark::State& state) {
           rearrange(stage->packs, stage->grid);
           stage->strayed = 0;
         }
-        benchmark::DoNotOptimize(step(*stage, settings, false, left));
+        benchmark::DoNotOptimize(step(*stage, settings, false, team, left));
       },
       [] {});
   state.counters["points_per_pack"] =
@@ -93,7 +99,7 @@ void packed_points(benchmark::State& state) {
   auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
   const StepSettings settings = settings_of(s);
   const auto nodes = [&] {
-    update_velocity(stage->grid, {settings.dt, settings.gravity, settings.damping});
+    update_all(*stage, settings);
     if (stage->strayed * 6 > stage->packs.count) {
       rearrange(stage->packs, stage->grid);
       stage->strayed = 0;
@@ -103,8 +109,9 @@ void packed_points(benchmark::State& state) {
   Timer(state).run(
       static_cast<double>(s.particles.count),
       [&] {
-        stage->strayed +=
-            step_packs(stage->packs, stage->grid, stage->laws, settings.dt, false).strayed;
+        stage->strayed += step_packs(stage->packs, stage->grid, stage->laws, settings.dt, false, 0,
+                                     stage->packs.pack.size())
+                              .strayed;
       },
       nodes);
 }
@@ -115,11 +122,11 @@ void packed_nodes(benchmark::State& state) {
   auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
   const StepSettings settings = settings_of(s);
   Timer(state).run(
-      static_cast<double>(s.particles.count),
+      static_cast<double>(s.particles.count), [&] { update_all(*stage, settings); },
       [&] {
-        update_velocity(stage->grid, {settings.dt, settings.gravity, settings.damping});
-      },
-      [&] { step_packs(stage->packs, stage->grid, stage->laws, settings.dt, false); });
+        step_packs(stage->packs, stage->grid, stage->laws, settings.dt, false, 0,
+                   stage->packs.pack.size());
+      });
 }
 BENCHMARK(packed_nodes)->UseManualTime();
 

@@ -44,9 +44,10 @@ double difference(const std::vector<double>& a, const std::vector<double>& b, st
 
 StepSums steps(PackedStage& stage, int count) {
   StepSums sums;
+  Team team(1);
   bool left = false;
   for (int i = 1; i <= count; ++i) {
-    sums = step(stage, {dt, gravity, 0.02, true}, i == count, left);
+    sums = step(stage, {dt, gravity, 0.02, true}, i == count, team, left);
     EXPECT_FALSE(left);
   }
   return sums;
@@ -139,8 +140,8 @@ TEST(Packs, StraysMoveAsIfTheyHadBeenArranged) {
   }
   std::fill(stage.grid.sums.begin(), stage.grid.sums.end(), Real{0});
   PackedStage arranged = stage;
-  spread(stage.packs, stage.grid);
-  spread(arranged.packs, arranged.grid);
+  spread_all(stage);
+  spread_all(arranged);
   ASSERT_TRUE(rearrange(arranged.packs, arranged.grid));
   steps(stage, 3);
   steps(arranged, 3);
@@ -185,6 +186,25 @@ TEST(Packs, DoNotLoseCreep) {
     }
   }
   EXPECT_EQ(grown, stage->packs.count);
+}
+
+TEST(Packs, AnyNumberOfThreadsGivesTheSameBytes) {
+  RunSettings settings = coarse();
+  settings.stop.max_time_s = 4;
+  Frame one, many;
+  Listener listener;
+  listener.frame = [&](const Frame& f) { one = f; };
+  const SectionResult a = simulate(bank(10, 30, 25e3), settings, listener);
+  for (const int threads : {2, 3, 8}) {
+    listener.frame = [&](const Frame& f) { many = f; };
+    const SectionResult b = simulate(bank(10, 30, 25e3), settings, listener, threads);
+    EXPECT_EQ(a.steps, b.steps);
+    EXPECT_EQ(a.balances.energy, b.balances.energy);
+    EXPECT_EQ(one.x, many.x);
+    EXPECT_EQ(one.velocity_z, many.velocity_z);
+    EXPECT_EQ(one.stress_xz, many.stress_xz);
+    EXPECT_EQ(one.plastic_strain, many.plastic_strain);
+  }
 }
 
 TEST(Packs, ALostPointIsSaid) {
