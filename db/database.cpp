@@ -11,11 +11,16 @@ namespace leda::db {
 
 namespace {
 
-SQLite::Database open(const std::filesystem::path& file, std::chrono::milliseconds busy_timeout) {
+SQLite::Database open(const std::filesystem::path& file, std::chrono::milliseconds busy_timeout,
+                      Database::Access access) {
+  const bool writes = access == Database::Access::write;
   try {
-    SQLite::Database connection(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
-                                static_cast<int>(busy_timeout.count()));
+    SQLite::Database connection(
+        file.string(),
+        writes ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE : SQLite::OPEN_READONLY,
+        static_cast<int>(busy_timeout.count()));
     sqlite3_extended_result_codes(connection.getHandle(), 1);
+    if (!writes) return connection;
     connection.exec("PRAGMA journal_mode = WAL");
     // FULL: each commit is on the disk before it is answered for, also when the power fails.
     connection.exec("PRAGMA synchronous = FULL");
@@ -28,8 +33,9 @@ SQLite::Database open(const std::filesystem::path& file, std::chrono::millisecon
 
 }  // namespace
 
-Database::Database(const std::filesystem::path& file, std::chrono::milliseconds busy_timeout)
-    : file_(file.string()), connection_(open(file, busy_timeout)) {}
+Database::Database(const std::filesystem::path& file, std::chrono::milliseconds busy_timeout,
+                   Access access)
+    : file_(file.string()), connection_(open(file, busy_timeout, access)) {}
 
 SQLite::Statement& Database::prepared(const std::string& sql) {
   const auto found = prepared_.find(sql);

@@ -17,8 +17,12 @@ namespace leda::db {
 /// Threads take turns: a transaction belongs to the connection, so it has to be one thread's.
 class Database {
  public:
-  /// Opens or makes the file: WAL, foreign keys on, synchronous=FULL. Throws StoreError.
-  Database(const std::filesystem::path& file, std::chrono::milliseconds busy_timeout);
+  enum class Access { write, read };
+
+  /// Opens or makes the file: WAL, foreign keys on, synchronous=FULL. For reading it has to be
+  /// there already, and no statement can change it. Throws StoreError.
+  Database(const std::filesystem::path& file, std::chrono::milliseconds busy_timeout,
+           Access access = Access::write);
 
   /// Runs `work` as one transaction that may change things; an exception undoes all of it.
   /// SQLite's own errors come out as StoreError or StoreConflict.

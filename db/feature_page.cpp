@@ -80,10 +80,10 @@ Coverage coverage_of(Database& database, const std::string& table, const std::st
 }
 
 std::vector<SectionRecord> Store::section_page(const PageFilter& filter) const {
-  return connection_->read([&] {
+  return connection_->read([&](Database& database) {
     std::vector<SectionRecord> page;
-    Query rows(*connection_, select_sections_without_ground() + page_of("sections", filter, "") +
-                                 "ORDER BY sections.id LIMIT max(?7, 0) OFFSET ?8");
+    Query rows(database, select_sections_without_ground() + page_of("sections", filter, "") +
+                             "ORDER BY sections.id LIMIT max(?7, 0) OFFSET ?8");
     bind_page(rows, filter, "");
     while (rows.next()) page.push_back(section_from(rows));
     return page;
@@ -91,8 +91,8 @@ std::vector<SectionRecord> Store::section_page(const PageFilter& filter) const {
 }
 
 int Store::count_sections(const PageFilter& filter) const {
-  return connection_->read([&] {
-    Query row(*connection_, "SELECT count(*) FROM sections " + page_of("sections", filter, ""));
+  return connection_->read([&](Database& database) {
+    Query row(database, "SELECT count(*) FROM sections " + page_of("sections", filter, ""));
     bind_page(row, filter, "");
     row.next();
     return row.small_integer();
@@ -100,27 +100,27 @@ int Store::count_sections(const PageFilter& filter) const {
 }
 
 int Store::count_sections(SectionState state) const {
-  return connection_->read([&] {
+  return connection_->read([&](Database& database) {
     // The state stands in the text, not in a parameter: only so the partial index is used.
-    Query row(*connection_, std::string("SELECT count(*) FROM sections WHERE state = '") +
-                                to_string(state) + "'");
+    Query row(database, std::string("SELECT count(*) FROM sections WHERE state = '") +
+                            to_string(state) + "'");
     row.next();
     return row.small_integer();
   });
 }
 
 void Store::set_section_boxes(const std::vector<FeatureBox>& boxes) {
-  set_boxes(*connection_, "section", boxes);
+  set_boxes(connection_->writer(), "section", boxes);
 }
 
 void Store::set_zone_boxes(const std::vector<FeatureBox>& boxes) {
-  set_boxes(*connection_, "zone", boxes);
+  set_boxes(connection_->writer(), "zone", boxes);
 }
 
 std::vector<std::string> Store::jobs_without_boxes() const {
-  return connection_->read([&] {
+  return connection_->read([&](Database& database) {
     std::vector<std::string> jobs;
-    Query rows(*connection_,
+    Query rows(database,
                "SELECT id FROM jobs WHERE raster_id IS NOT NULL AND ("
                "EXISTS (SELECT 1 FROM sections WHERE job_id = jobs.id AND id NOT IN "
                "        (SELECT section_id FROM section_boxes)) OR "
@@ -132,7 +132,8 @@ std::vector<std::string> Store::jobs_without_boxes() const {
 }
 
 Coverage Store::section_coverage() const {
-  return connection_->read([&] { return coverage_of(*connection_, "sections", ""); });
+  return connection_->read(
+      [&](Database& database) { return coverage_of(database, "sections", ""); });
 }
 
 }  // namespace leda::db

@@ -53,19 +53,17 @@ std::string state_words(const std::vector<JobState>& states) {
 
 std::optional<JobRecord> one_job(Database& database, const std::string& where,
                                  const std::string& value) {
-  return database.read([&]() -> std::optional<JobRecord> {
-    Query row(database, columns + where);
-    if (!row.with(value).next()) return std::nullopt;
-    return job_from(row);
-  });
+  Query row(database, columns + where);
+  if (!row.with(value).next()) return std::nullopt;
+  return job_from(row);
 }
 
 }  // namespace
 
 void Store::add_job(const JobRecord& job) {
   const std::string now = utc_now();
-  connection_->write([&] {
-    Query(*connection_,
+  connection_->write([&](Database& database) {
+    Query(database,
           "INSERT INTO jobs (id, process, name, state, message, progress, request, "
           "idempotency_key, created, started, finished, updated, raster_id) "
           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
@@ -79,18 +77,19 @@ void Store::add_job(const JobRecord& job) {
 }
 
 std::optional<JobRecord> Store::job(const std::string& id) const {
-  return one_job(*connection_, "WHERE id = ?", id);
+  return connection_->read(
+      [&](Database& database) { return one_job(database, "WHERE id = ?", id); });
 }
 
 std::optional<JobRecord> Store::job_by_idempotency_key(const std::string& key) const {
-  return one_job(*connection_, "WHERE idempotency_key = ?", key);
+  return connection_->read(
+      [&](Database& database) { return one_job(database, "WHERE idempotency_key = ?", key); });
 }
 
 std::vector<JobRecord> Store::jobs(const JobFilter& filter) const {
-  return connection_->read([&] {
+  return connection_->read([&](Database& database) {
     std::vector<JobRecord> found;
-    Query rows(*connection_,
-               columns + filtered + "ORDER BY sequence DESC LIMIT max(?7, 0) OFFSET ?8");
+    Query rows(database, columns + filtered + "ORDER BY sequence DESC LIMIT max(?7, 0) OFFSET ?8");
     rows.with(to_json(filter.processes), state_words(filter.states), filter.created_from,
               filter.created_to, filter.least_s.value_or(-1), filter.most_s.value_or(-1),
               filter.limit, filter.offset);
@@ -100,8 +99,8 @@ std::vector<JobRecord> Store::jobs(const JobFilter& filter) const {
 }
 
 int Store::count_jobs(const JobFilter& filter) const {
-  return connection_->read([&] {
-    Query row(*connection_, "SELECT count(*) FROM jobs " + filtered);
+  return connection_->read([&](Database& database) {
+    Query row(database, "SELECT count(*) FROM jobs " + filtered);
     row.with(to_json(filter.processes), state_words(filter.states), filter.created_from,
              filter.created_to, filter.least_s.value_or(-1), filter.most_s.value_or(-1));
     row.next();
@@ -110,19 +109,19 @@ int Store::count_jobs(const JobFilter& filter) const {
 }
 
 std::vector<JobRecord> Store::unfinished_jobs() const {
-  return connection_->read([&] {
+  return connection_->read([&](Database& database) {
     std::vector<JobRecord> found;
-    Query rows(*connection_, columns + "WHERE state IN ('accepted', 'running') ORDER BY sequence");
+    Query rows(database, columns + "WHERE state IN ('accepted', 'running') ORDER BY sequence");
     while (rows.next()) found.push_back(job_from(rows));
     return found;
   });
 }
 
 bool Store::set_job_state(const std::string& id, JobState state, const std::string& message) {
-  return connection_->write([&] {
+  return connection_->write([&](Database& database) {
     // A job taken up again starts and finishes anew; its first start is remembered in the runs.
     const int changed =
-        Query(*connection_,
+        Query(database,
               "UPDATE jobs SET state = ?2, message = ?3, updated = ?4, "
               "progress = CASE ?2 WHEN 'successful' THEN 100 WHEN 'accepted' THEN 0 "
               "  ELSE progress END, "
@@ -133,15 +132,15 @@ bool Store::set_job_state(const std::string& id, JobState state, const std::stri
             .with(id, to_string(state), message, utc_now())
             .run();
     if (changed > 0) return true;
-    Query row(*connection_, "SELECT 1 FROM jobs WHERE id = ?");
+    Query row(database, "SELECT 1 FROM jobs WHERE id = ?");
     if (!row.with(id).next()) throw StoreError("no job \"" + id + "\" in the store");
     return false;
   });
 }
 
 void Store::set_job_progress(const std::string& id, int progress, const std::string& message) {
-  connection_->write([&] {
-    Query(*connection_,
+  connection_->write([&](Database& database) {
+    Query(database,
           "UPDATE jobs SET progress = min(max(?2, 0), 100), message = ?3, updated = ?4 "
           "WHERE id = ?1 AND state IN ('accepted', 'running')")
         .with(id, progress, message, utc_now())

@@ -29,8 +29,8 @@ RasterRecord raster_from(Query& row) {
 }  // namespace
 
 void Store::add_raster(const RasterRecord& r) {
-  connection_->write([&] {
-    Query(*connection_,
+  connection_->write([&](Database& database) {
+    Query(database,
           "INSERT INTO rasters (id, name, file, sha256, epsg, cell_x, cell_y, width_cells, "
           "height_cells, west, south, east, north, vertical_unit, created) "
           "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
@@ -48,17 +48,17 @@ void Store::add_raster(const RasterRecord& r) {
 }
 
 std::vector<RasterRecord> Store::rasters() const {
-  return connection_->read([&] {
+  return connection_->read([&](Database& database) {
     std::vector<RasterRecord> all;
-    Query rows(*connection_, columns + "ORDER BY sequence");
+    Query rows(database, columns + "ORDER BY sequence");
     while (rows.next()) all.push_back(raster_from(rows));
     return all;
   });
 }
 
 std::optional<RasterRecord> Store::raster(const std::string& id_or_name) const {
-  return connection_->read([&]() -> std::optional<RasterRecord> {
-    Query row(*connection_, columns + "WHERE id = ?1 OR name = ?1 ORDER BY id = ?1 DESC LIMIT 1");
+  return connection_->read([&](Database& database) -> std::optional<RasterRecord> {
+    Query row(database, columns + "WHERE id = ?1 OR name = ?1 ORDER BY id = ?1 DESC LIMIT 1");
     if (!row.with(id_or_name).next()) return std::nullopt;
     return raster_from(row);
   });

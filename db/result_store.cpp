@@ -137,20 +137,20 @@ bool Store::take_in(std::int64_t section, const std::string& run, const SectionR
                     const PlacedResult& placed, const std::string& result_json) {
   if (result.status == RunStatus::interrupted)
     throw StoreError("run \"" + run + "\" was interrupted: there is no result to take in");
-  return connection_->write([&] {
-    const SectionState state = state_of_section(*connection_, section);
-    if (is_taken_in(*connection_, section, run)) return false;
+  return connection_->write([&](Database& database) {
+    const SectionState state = state_of_section(database, section);
+    if (is_taken_in(database, section, run)) return false;
     if (state == SectionState::finished || state == SectionState::dismissed) return false;
-    insert_result(*connection_, section, run, result, result_json);
-    insert_placement(*connection_, run, placed);
-    book_run(*connection_, section, run, result);
+    insert_result(database, section, run, result, result_json);
+    insert_placement(database, run, placed);
+    book_run(database, section, run, result);
     return true;
   });
 }
 
 std::optional<std::string> Store::result_document(std::int64_t section) const {
-  return connection_->read([&]() -> std::optional<std::string> {
-    Query row(*connection_,
+  return connection_->read([&](Database& database) -> std::optional<std::string> {
+    Query row(database,
               "SELECT document FROM results JOIN sections "
               "ON sections.latest_run_id = results.run_id WHERE sections.id = ?");
     if (!row.with(section).next()) return std::nullopt;

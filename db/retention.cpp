@@ -25,8 +25,8 @@ void require_sound(SQLite::Database& copy, const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<std::string> Store::jobs_finished_before(const std::string& time) const {
-  return connection_->read([&] {
-    Query rows(*connection_,
+  return connection_->read([&](Database& database) {
+    Query rows(database,
                "SELECT id FROM jobs WHERE state IN ('successful', 'failed', 'dismissed') "
                "AND finished <= ? ORDER BY sequence");
     rows.with(time);
@@ -35,17 +35,16 @@ std::vector<std::string> Store::jobs_finished_before(const std::string& time) co
 }
 
 bool Store::remove_job(const std::string& id) {
-  return connection_->write([&] {
-    return Query(*connection_,
-                 "DELETE FROM jobs WHERE id = ? AND state NOT IN ('accepted', 'running')")
+  return connection_->write([&](Database& database) {
+    return Query(database, "DELETE FROM jobs WHERE id = ? AND state NOT IN ('accepted', 'running')")
                .with(id)
                .run() > 0;
   });
 }
 
 std::vector<std::string> Store::run_folders(const std::string& job) const {
-  return connection_->read([&] {
-    Query rows(*connection_,
+  return connection_->read([&](Database& database) {
+    Query rows(database,
                "SELECT runs.id FROM runs JOIN sections ON sections.id = runs.section_id "
                "WHERE sections.job_id = ? ORDER BY runs.section_id, runs.attempt");
     rows.with(job);
@@ -54,15 +53,15 @@ std::vector<std::string> Store::run_folders(const std::string& job) const {
 }
 
 bool Store::has_run(const std::string& run) const {
-  return connection_->read([&] {
-    Query row(*connection_, "SELECT 1 FROM runs WHERE id = ?");
+  return connection_->read([&](Database& database) {
+    Query row(database, "SELECT 1 FROM runs WHERE id = ?");
     return row.with(run).next();
   });
 }
 
 std::vector<std::string> Store::latest_runs() const {
-  return connection_->read([&] {
-    Query rows(*connection_,
+  return connection_->read([&](Database& database) {
+    Query rows(database,
                "SELECT latest_run_id FROM sections WHERE latest_run_id IS NOT NULL ORDER BY id");
     return texts(rows);
   });
@@ -70,9 +69,9 @@ std::vector<std::string> Store::latest_runs() const {
 
 // Median of what the newest runs took: the machine and the version change over the years.
 std::optional<TypicalRun> Store::typical_run() const {
-  return connection_->read([&]() -> std::optional<TypicalRun> {
+  return connection_->read([&](Database& database) -> std::optional<TypicalRun> {
     const auto median = [&](const std::string& value) {
-      Query row(*connection_,
+      Query row(database,
                 "WITH newest AS (SELECT " + value +
                     " AS value FROM results WHERE steps > 0 AND simulated_s > 0 "
                     "AND ns_per_particle_step > 0 ORDER BY rowid DESC LIMIT 1000) "

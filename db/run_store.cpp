@@ -16,16 +16,16 @@ void close_run(Database& database, std::int64_t section, const char* outcome,
 }
 
 bool Store::start_run(std::int64_t section, const std::string& run) {
-  return connection_->write([&] {
-    const SectionState state = state_of_section(*connection_, section);
+  return connection_->write([&](Database& database) {
+    const SectionState state = state_of_section(database, section);
     if (state == SectionState::finished || state == SectionState::dismissed) return false;
-    close_run(*connection_, section, "interrupted", "another try was started");
-    Query(*connection_,
+    close_run(database, section, "interrupted", "another try was started");
+    Query(database,
           "INSERT INTO runs (id, section_id, attempt, started, reason) VALUES (?1, ?2, "
           "(SELECT count(*) + 1 FROM runs WHERE section_id = ?2), ?3, '')")
         .with(run, section, utc_now())
         .run();
-    Query(*connection_,
+    Query(database,
           "UPDATE sections SET state = 'running', reason = '', latest_run_id = ?2 WHERE id = ?1")
         .with(section, run)
         .run();
@@ -34,9 +34,9 @@ bool Store::start_run(std::int64_t section, const std::string& run) {
 }
 
 std::vector<RunRecord> Store::runs(std::int64_t section) const {
-  return connection_->read([&] {
+  return connection_->read([&](Database& database) {
     std::vector<RunRecord> all;
-    Query rows(*connection_,
+    Query rows(database,
                "SELECT id, section_id, attempt, started, finished, outcome, reason FROM runs "
                "WHERE section_id = ? ORDER BY attempt");
     rows.with(section);

@@ -82,11 +82,11 @@ const char* outcome_of_try(SectionState state, const std::string& reason) {
 }  // namespace
 
 bool Store::set_sections(const std::string& job, const std::vector<SectionRecord>& sections) {
-  return connection_->write([&] {
-    Query standing(*connection_, "SELECT 1 FROM sections WHERE job_id = ? LIMIT 1");
+  return connection_->write([&](Database& database) {
+    Query standing(database, "SELECT 1 FROM sections WHERE job_id = ? LIMIT 1");
     if (standing.with(job).next()) return false;
     for (const SectionRecord& s : sections)
-      Query(*connection_,
+      Query(database,
             "INSERT INTO sections (job_id, ordinal, name, line, position_m, trace, ground, "
             "crest_x_m, crest_z_m, toe_x_m, toe_z_m, state, reason, screening, warnings) "
             "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
@@ -100,9 +100,9 @@ bool Store::set_sections(const std::string& job, const std::vector<SectionRecord
 }
 
 std::vector<SectionRecord> Store::sections(const std::string& job) const {
-  return connection_->read([&] {
+  return connection_->read([&](Database& database) {
     std::vector<SectionRecord> all;
-    Query rows(*connection_, select_sections() + "WHERE sections.job_id = ? ORDER BY ordinal");
+    Query rows(database, select_sections() + "WHERE sections.job_id = ? ORDER BY ordinal");
     rows.with(job);
     while (rows.next()) all.push_back(section_from(rows));
     return all;
@@ -110,32 +110,32 @@ std::vector<SectionRecord> Store::sections(const std::string& job) const {
 }
 
 std::optional<SectionRecord> Store::section(const std::string& job, const std::string& name) const {
-  return connection_->read([&]() -> std::optional<SectionRecord> {
-    Query row(*connection_, select_sections() + "WHERE sections.job_id = ? AND sections.name = ?");
+  return connection_->read([&](Database& database) -> std::optional<SectionRecord> {
+    Query row(database, select_sections() + "WHERE sections.job_id = ? AND sections.name = ?");
     if (!row.with(job, name).next()) return std::nullopt;
     return section_from(row);
   });
 }
 
 std::optional<SectionRecord> Store::section(std::int64_t section) const {
-  return connection_->read([&]() -> std::optional<SectionRecord> {
-    Query row(*connection_, select_sections() + "WHERE sections.id = ?");
+  return connection_->read([&](Database& database) -> std::optional<SectionRecord> {
+    Query row(database, select_sections() + "WHERE sections.id = ?");
     if (!row.with(section).next()) return std::nullopt;
     return section_from(row);
   });
 }
 
 void Store::set_screening(std::int64_t section, const std::string& screening) {
-  connection_->write([&] {
-    Query(*connection_, "UPDATE sections SET screening = ?2 WHERE id = ?1")
+  connection_->write([&](Database& database) {
+    Query(database, "UPDATE sections SET screening = ?2 WHERE id = ?1")
         .with(section, screening)
         .run();
   });
 }
 
 bool Store::set_section_state(std::int64_t section, SectionState state, const std::string& reason) {
-  return connection_->write([&] {
-    const SectionState now = state_of_section(*connection_, section);
+  return connection_->write([&](Database& database) {
+    const SectionState now = state_of_section(database, section);
     if (now == SectionState::finished) return false;
     if (now == SectionState::dismissed && state != SectionState::waiting &&
         state != SectionState::dismissed)
@@ -143,8 +143,8 @@ bool Store::set_section_state(std::int64_t section, SectionState state, const st
     if (state == SectionState::finished)
       throw StoreError("a section is finished by its result (take_in), not by a word");
     if (state != SectionState::running)
-      close_run(*connection_, section, outcome_of_try(state, reason), reason);
-    Query(*connection_, "UPDATE sections SET state = ?2, reason = ?3 WHERE id = ?1")
+      close_run(database, section, outcome_of_try(state, reason), reason);
+    Query(database, "UPDATE sections SET state = ?2, reason = ?3 WHERE id = ?1")
         .with(section, to_string(state), reason)
         .run();
     return true;
@@ -152,13 +152,13 @@ bool Store::set_section_state(std::int64_t section, SectionState state, const st
 }
 
 int Store::requeue_running(const std::string& job) {
-  return connection_->write([&] {
-    Query(*connection_,
+  return connection_->write([&](Database& database) {
+    Query(database,
           "UPDATE runs SET finished = ?2, outcome = 'interrupted', reason = 'the server stopped' "
           "WHERE outcome IS NULL AND section_id IN (SELECT id FROM sections WHERE job_id = ?1)")
         .with(job, utc_now())
         .run();
-    return Query(*connection_,
+    return Query(database,
                  "UPDATE sections SET state = 'waiting', reason = '' "
                  "WHERE job_id = ? AND state = 'running'")
         .with(job)

@@ -11,7 +11,7 @@ namespace leda::db {
 
 Store::Store(const std::filesystem::path& file, std::chrono::milliseconds busy_timeout)
     : connection_(std::make_unique<Connection>(file, busy_timeout)) {
-  migrate(*connection_, migrations());
+  migrate(connection_->writer(), migrations());
 }
 
 Store::~Store() = default;

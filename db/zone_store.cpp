@@ -65,33 +65,33 @@ std::vector<ZoneRecord> zones_from(Database& database, Query& rows) {
 }  // namespace
 
 void Store::set_zones(const std::string& job, const std::vector<Zone>& zones) {
-  connection_->write([&] {
-    Query(*connection_, "DELETE FROM zones WHERE job_id = ?").with(job).run();
+  connection_->write([&](Database& database) {
+    Query(database, "DELETE FROM zones WHERE job_id = ?").with(job).run();
     for (std::size_t i = 0; i < zones.size(); ++i)
-      insert_zone(*connection_, job, static_cast<int>(i), zones[i]);
+      insert_zone(database, job, static_cast<int>(i), zones[i]);
   });
 }
 
 std::vector<ZoneRecord> Store::zones(const std::string& job) const {
-  return connection_->read([&] {
-    Query rows(*connection_, columns + "WHERE zones.job_id = ? ORDER BY zones.ordinal");
+  return connection_->read([&](Database& database) {
+    Query rows(database, columns + "WHERE zones.job_id = ? ORDER BY zones.ordinal");
     rows.with(job);
-    return zones_from(*connection_, rows);
+    return zones_from(database, rows);
   });
 }
 
 std::vector<ZoneRecord> Store::zone_page(ZoneKind kind, const PageFilter& filter) const {
-  return connection_->read([&] {
-    Query rows(*connection_, columns + page_of("zones", filter, "zones.kind = ?9 AND ") +
-                                 "ORDER BY zones.id LIMIT max(?7, 0) OFFSET ?8");
+  return connection_->read([&](Database& database) {
+    Query rows(database, columns + page_of("zones", filter, "zones.kind = ?9 AND ") +
+                             "ORDER BY zones.id LIMIT max(?7, 0) OFFSET ?8");
     bind_page(rows, filter, word(kind));
-    return zones_from(*connection_, rows);
+    return zones_from(database, rows);
   });
 }
 
 int Store::count_zones(ZoneKind kind, const PageFilter& filter) const {
-  return connection_->read([&] {
-    Query row(*connection_,
+  return connection_->read([&](Database& database) {
+    Query row(database,
               "SELECT count(*) FROM zones " + page_of("zones", filter, "zones.kind = ?9 AND "));
     bind_page(row, filter, word(kind));
     row.next();
@@ -100,7 +100,8 @@ int Store::count_zones(ZoneKind kind, const PageFilter& filter) const {
 }
 
 Coverage Store::zone_coverage(ZoneKind kind) const {
-  return connection_->read([&] { return coverage_of(*connection_, "zones", word(kind)); });
+  return connection_->read(
+      [&](Database& database) { return coverage_of(database, "zones", word(kind)); });
 }
 
 }  // namespace leda::db

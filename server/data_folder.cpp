@@ -30,6 +30,15 @@ DataFolder::DataFolder(const std::filesystem::path& root) {
   }
 }
 
+std::string DataFolder::without_root(std::string text) const {
+  const std::string root = root_.string();
+  for (auto at = text.find(root); at != std::string::npos; at = text.find(root, at)) {
+    const std::size_t end = at + root.size();
+    text.erase(at, root.size() + (end < text.size() && text[end] == '/' ? 1 : 0));
+  }
+  return text;
+}
+
 RunnerLock::RunnerLock(const DataFolder& data) {
   const auto name = data.root() / "runner.lock";
   file_ = open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);

@@ -26,6 +26,10 @@ class DataFolder {
   std::filesystem::path uploads() const { return root_ / "uploads"; }
   std::filesystem::path server_file() const { return root_ / "server.json"; }
 
+  /// A text for people outside, such as a worker's log: its paths begin in this folder, and do not
+  /// tell where on the machine that is.
+  std::string without_root(std::string text) const;
+
  private:
   std::filesystem::path root_;
 };

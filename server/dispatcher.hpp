@@ -38,8 +38,8 @@ class Dispatcher {
   /// The executor is made, used and destroyed in the dispatcher's own thread.
   Dispatcher(const DataFolder& data, db::Store& store, MakeExecutor make_executor,
              RunWatch watch = {});
-  /// Ends the runs that still go, where they can't outlive the server: a later dispatcher starts
-  /// them anew, and adopts the others.
+  /// Ends the runs that still go, where they can't outlive the server: a later dispatcher lets
+  /// them go on from their checkpoints, and adopts the others.
   ~Dispatcher();
   Dispatcher(const Dispatcher&) = delete;
   Dispatcher& operator=(const Dispatcher&) = delete;
@@ -70,13 +70,19 @@ class Dispatcher {
 
   void work();
   void turn();
+  void take_up_new_jobs();
   bool screened_out(OpenJob& job, db::SectionRecord& section);
   void take_up(const std::string& id);
   void recover(OpenJob& job);
   void settle(const RunEnd& end);
   void take_in(OpenJob& job, db::SectionRecord& section);
+  void gave_no_result(OpenJob& job, std::size_t index, const RunEnd& end, const std::string& fault);
   bool start_next();
   void start_run(OpenJob& job, std::size_t index);
+  std::string new_run(const std::string& job, const db::SectionRecord& section);
+  void wait_for_space();
+  void remove_checkpoint_of(const std::string& run);
+  void book_started_jobs();
   void report_progress();
   void finish(OpenJob& job);
   void finish_done_jobs();
@@ -89,15 +95,22 @@ class Dispatcher {
   RunWatch watch_;
   std::atomic<std::chrono::steady_clock::time_point> last_turn_;
 
-  mutable std::mutex mutex_;  ///< guards everything below
+  std::atomic<std::size_t> running_{0};
+
+  std::mutex inbox_mutex_;  ///< guards these three; never held for long
   std::condition_variable wake_;
-  std::unique_ptr<Executor> executor_;
   std::deque<std::string> to_take_up_;
+  bool stop_ = false;
+
+  std::mutex mutex_;  ///< guards everything below
+  std::unique_ptr<Executor> executor_;
   std::deque<RunEnd> ended_;  ///< not settled yet
   std::map<std::string, OpenJob> jobs_;
   std::map<std::string, Run> runs_;
   std::chrono::steady_clock::time_point progress_told_{};
-  bool stop_ = false;
+  /// While the disk is full no run is started before this, and the pause doubles.
+  std::chrono::steady_clock::time_point no_start_before_{};
+  std::chrono::milliseconds pause_for_space_{0};
   std::thread thread_;
 };
 

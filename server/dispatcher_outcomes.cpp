@@ -1,6 +1,7 @@
 // What becomes of a run that ended, and of a job whose runs all did.
 
 #include "server/dispatcher.hpp"
+#include "server/documents/run_folder.hpp"
 #include "server/features.hpp"
 #include "server/logging.hpp"
 #include "server/summary.hpp"
@@ -46,34 +47,58 @@ void Dispatcher::settle(const RunEnd& end) {
   const auto run = runs_.find(end.run);
   if (run == runs_.end()) return;  // of a job that was dismissed
   OpenJob& job = jobs_.at(run->second.job);
-  db::SectionRecord& section = job.sections[run->second.section];
-  int& crashes = job.crashes[run->second.section];
-  const auto folder = data_.run(end.run);
+  const std::size_t index = run->second.section;
   const bool by_itself = end.how == RunEnd::How::exited;
-  const Outcome outcome = read_outcome(folder);
-
+  const Outcome outcome = read_outcome(data_.run(end.run));
   if (by_itself && (end.exit_code == 0 || end.exit_code == 3) && outcome.result) {
-    take_in(job, section);
+    take_in(job, job.sections[index]);
+    pause_for_space_ = {};
   } else {
-    std::string reason = end.reason.empty() ? outcome.fault : end.reason;
-    if (const auto words = last_words(folder); !words.empty()) reason += ": " + words;
-    const bool hopeless = end.how == RunEnd::How::over_limit || (by_itself && end.exit_code == 2);
-    const bool again = !hopeless && ++crashes < most_tries;
-    log_warning(job.record.id, "run gave no result section={} run={} again={} reason={}",
-                in_quotes(section.name), end.run, again, in_quotes(reason));
-    if (again && watch_.restarted) watch_.restarted(1);
-    set_state(section, again ? SectionState::waiting : SectionState::failed, reason);
+    gave_no_result(job, index, end, outcome.fault);
   }
   --job.running;
-  runs_.erase(run);
+  runs_.erase(end.run);
+}
+
+/// The section waits for another try, or has had the last one.
+void Dispatcher::gave_no_result(OpenJob& job, std::size_t index, const RunEnd& end,
+                                const std::string& fault) {
+  db::SectionRecord& section = job.sections[index];
+  const auto code = end.how == RunEnd::How::exited ? ExitCode(end.exit_code) : ExitCode::failure;
+  std::string reason = end.reason.empty() ? fault : end.reason;
+  if (code == ExitCode::out_of_memory) reason = "memory";
+  if (code == ExitCode::disk_full) reason = "the disk is full";
+  if (const auto words = last_words(data_.run(end.run)); !words.empty()) reason += ": " + words;
+  reason = data_.without_root(reason);
+
+  const bool hopeless = end.how == RunEnd::How::over_limit || code == ExitCode::invalid ||
+                        code == ExitCode::out_of_memory;
+  const int crashes = job.crashes[index] + (code == ExitCode::disk_full ? 0 : 1);
+  const bool again = !hopeless && crashes < most_tries;
+  log_warning(job.record.id, "run gave no result section={} run={} again={} reason={}",
+              in_quotes(section.name), end.run, again, in_quotes(reason));
+  set_state(section, again ? SectionState::waiting : SectionState::failed, reason);
+  // Only now, because a store that fails brings this end back for another turn.
+  job.crashes[index] = crashes;
+  if (again && watch_.restarted) watch_.restarted(1);
+  if (code == ExitCode::disk_full) wait_for_space();
 }
 
 /// First the file is in place, then the row.
 void Dispatcher::take_in(OpenJob& job, db::SectionRecord& section) {
   const Outcome outcome = read_outcome(data_.run(section.run));
   const SectionResult& result = outcome.result.value();
-  const PlacedResult placed = job.work->place(section, result);
+  PlacedResult placed;
+  try {
+    placed = job.work->place(section, result);
+  } catch (const std::exception& error) {
+    set_state(
+        section, SectionState::failed,
+        data_.without_root(std::string("the result has no place on the map: ") + error.what()));
+    return;
+  }
   store_.take_in(section.id, section.run, result, placed, outcome.document);
+  remove_checkpoint_of(section.run);
   const bool usable = result.status != RunStatus::unstable;
   section.state = usable ? SectionState::finished : SectionState::failed;
   section.reason = result.reason;

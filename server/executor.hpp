@@ -16,6 +16,10 @@ struct RunOrder {
   std::filesystem::path folder;
 };
 
+/// What the leda program is called with to compute a run, after its own name. The last checkpoint
+/// stays beside the result until the result was taken in.
+std::vector<std::string> worker_arguments(const RunOrder& order);
+
 /// A run that is over. Whether it left a result, its folder says.
 struct RunEnd {
   enum class How {

@@ -6,18 +6,19 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <utility>
+#include <vector>
 
 namespace leda::server {
 namespace {
 
-constexpr std::chrono::seconds patience{2};  // between SIGTERM and SIGKILL
+constexpr std::chrono::milliseconds patience{3000};  // between SIGTERM and SIGKILL
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool can_limit_memory = false;  // its shadow memory takes terabytes of address space
 #else
 constexpr bool can_limit_memory = true;
@@ -55,27 +56,14 @@ void limit(decltype(RLIMIT_AS) what, rlim_t soft, rlim_t hard) {
   _exit(127);
 }
 
-RunEnd end_of(const std::string& run, int status, bool cancelled, bool over_wall) {
-  RunEnd end{run, RunEnd::How::exited, 0, ""};
-  if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
-  const int signal_number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (cancelled) {
-    end.how = RunEnd::How::cancelled;
-    end.reason = "cancelled";
-  } else if (over_wall) {
-    end.how = RunEnd::How::over_limit;
-    end.reason = "the run took longer than it may";
-  } else if (signal_number == SIGXCPU) {
-    end.how = RunEnd::How::over_limit;
-    end.reason = "the run used more processor time than it may";
-  } else if (signal_number != 0) {
-    end.how = RunEnd::How::killed;
-    end.reason = std::string("the worker died of signal ") + std::to_string(signal_number) + " (" +
-                 strsignal(signal_number) + ")";
-  } else if (end.exit_code != 0) {
-    end.reason = "the worker ended with code " + std::to_string(end.exit_code);
+/// How many processes this machine has killed for want of memory; 0 where it does not tell.
+std::int64_t oom_kills() {
+  std::ifstream in("/proc/vmstat");
+  std::string name;
+  for (std::int64_t value = 0; in >> name >> value;) {
+    if (name == "oom_kill") return value;
   }
-  return end;
+  return 0;
 }
 
 }  // namespace
@@ -93,13 +81,14 @@ std::size_t LocalExecutor::free_slots() const {
 }
 
 void LocalExecutor::submit(const RunOrder& order) {
-  const std::string case_file = (order.folder / "case.json").string();
-  const std::string folder = order.folder.string();
   const std::string program = program_.string();
-  const std::array<const char*, 6> arguments{program.c_str(), "simulate",     case_file.c_str(),
-                                             "--out",         folder.c_str(), nullptr};
+  const auto words = worker_arguments(order);
+  std::vector<const char*> arguments{program.c_str()};
+  for (const auto& word : words) arguments.push_back(word.c_str());
+  arguments.push_back(nullptr);
   const int log =
       open((order.folder / "log.txt").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  const std::int64_t oom_kills_before = oom_kills();
   const pid_t server = getpid();
   const pid_t child = log < 0 ? -1 : fork();
   if (child == 0) run_child(arguments.data(), log, server, limits_);
@@ -110,7 +99,11 @@ void LocalExecutor::submit(const RunOrder& order) {
                             std::string("the worker could not be started: ") + strerror(error)});
     return;
   }
-  running_[order.run] = Worker{child, Clock::now()};
+  Worker worker;
+  worker.process = child;
+  worker.started = Clock::now();
+  worker.oom_kills = oom_kills_before;
+  running_[order.run] = worker;
 }
 
 void LocalExecutor::enforce(Worker& worker) const {
@@ -124,13 +117,39 @@ void LocalExecutor::enforce(Worker& worker) const {
   if (asked && now - worker.asked_to_end > patience) kill(worker.process, SIGKILL);
 }
 
+RunEnd LocalExecutor::end_of(const std::string& run, int status, const Worker& worker) {
+  RunEnd end{run, RunEnd::How::exited, 0, ""};
+  if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
+  const int signal_number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (worker.cancelled) {
+    end.how = RunEnd::How::cancelled;
+    end.reason = "cancelled";
+  } else if (worker.over_wall) {
+    end.how = RunEnd::How::over_limit;
+    end.reason = "the run took longer than it may";
+  } else if (signal_number == SIGXCPU) {
+    end.how = RunEnd::How::over_limit;
+    end.reason = "the run used more processor time than it may";
+  } else if (signal_number == SIGKILL && oom_kills() > worker.oom_kills) {
+    end.how = RunEnd::How::killed;
+    end.reason = "memory: the machine had none left and ended the worker";
+  } else if (signal_number != 0) {
+    end.how = RunEnd::How::killed;
+    end.reason = std::string("the worker died of signal ") + std::to_string(signal_number) + " (" +
+                 strsignal(signal_number) + ")";
+  } else if (end.exit_code != 0) {
+    end.reason = "the worker ended with code " + std::to_string(end.exit_code);
+  }
+  return end;
+}
+
 std::vector<RunEnd> LocalExecutor::poll() {
   std::vector<RunEnd> ended = std::exchange(not_started_, {});
   for (auto at = running_.begin(); at != running_.end();) {
     auto& [run, worker] = *at;
     int status = 0;
     if (waitpid(worker.process, &status, WNOHANG) == worker.process) {
-      ended.push_back(end_of(run, status, worker.cancelled, worker.over_wall));
+      ended.push_back(end_of(run, status, worker));
       at = running_.erase(at);
     } else {
       enforce(worker);

@@ -41,10 +41,12 @@ class LocalExecutor final : public Executor {
     Clock::time_point started;
     bool cancelled = false;
     bool over_wall = false;
-    Clock::time_point asked_to_end{};  ///< SIGKILL follows two seconds later
+    Clock::time_point asked_to_end{};  ///< SIGKILL follows three seconds later
+    std::int64_t oom_kills = 0;        ///< of the machine, when it was started
   };
 
   void enforce(Worker& worker) const;
+  static RunEnd end_of(const std::string& run, int status, const Worker& worker);
 
   std::filesystem::path program_;
   std::size_t workers_;

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "db/result_file.hpp"
 #include "server/data_folder.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/result_document.hpp"
@@ -13,6 +14,17 @@ namespace {
 
 std::string first_of(const std::vector<Fault>& faults) {
   return faults.empty() ? "" : faults.front().pointer + " " + faults.front().message;
+}
+
+/// The head of the file alone: its numbers carry checksums, and tell of damage when they are read.
+std::string fault_of_fields(const std::filesystem::path& file, const std::string& case_sha256) {
+  if (!std::filesystem::exists(file)) return "fields.h5 is missing";
+  try {
+    const auto origin = db::read_result_file_origin(file);
+    return origin.case_sha256 == case_sha256 ? "" : "fields.h5 is of another case";
+  } catch (const std::runtime_error&) {
+    return "fields.h5 is cut off or damaged";
+  }
 }
 
 }  // namespace
@@ -29,10 +41,9 @@ Outcome read_outcome(const std::filesystem::path& run_folder) {
       outcome.fault = "case.json: " + first_of(run_case.faults);
     } else if (result.value->case_sha256 != case_sha256(*run_case.value)) {
       outcome.fault = "result.json is of another case";
-    } else if (!std::filesystem::exists(run_folder / "fields.h5")) {
-      outcome.fault = "fields.h5 is missing";
     } else {
-      outcome.result = *result.value;
+      outcome.fault = fault_of_fields(run_folder / "fields.h5", result.value->case_sha256);
+      if (outcome.fault.empty()) outcome.result = *result.value;
     }
   } catch (const DataFolderError&) {
     outcome.fault = "the run left no result";

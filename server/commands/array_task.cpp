@@ -5,14 +5,15 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <vector>
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
+#include "server/executor.hpp"
 #include "server/slurm/array_notes.hpp"
 
 namespace leda::server {
@@ -65,12 +66,12 @@ int array_task(const Options& options) {
                                          note.folders.size()));
   }
   const std::string program = note.program.string();
-  const std::string case_file = (note.folders[index] / "case.json").string();
-  const std::string folder = note.folders[index].string();
+  const auto words = worker_arguments({"", note.folders[index]});
+  std::vector<const char*> arguments{program.c_str()};
+  for (const auto& word : words) arguments.push_back(word.c_str());
+  arguments.push_back(nullptr);
   write_to(note.folders[index] / "log.txt");
   apply(note.limits);
-  const std::array<const char*, 6> arguments{program.c_str(), "simulate",     case_file.c_str(),
-                                             "--out",         folder.c_str(), nullptr};
   execv(program.c_str(), const_cast<char* const*>(arguments.data()));
   fmt::print(stderr, "the program of the run could not be started: {}: {}\n", program,
              std::strerror(errno));

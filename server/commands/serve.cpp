@@ -58,6 +58,7 @@ class EndSignals {
     sigaddset(&signals_, SIGINT);
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files tells itself as an error
   }
   int wait() const {
     int heard = 0;

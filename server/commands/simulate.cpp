@@ -113,6 +113,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
   command
       ->add_option("--checkpoint-interval-s", options->checkpoint_interval_s,
                    "time between checkpoints, s")
+      ->envname("LEDA_CHECKPOINT_INTERVAL_S")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
   command->add_flag("--keep-checkpoint", options->keep_checkpoint,

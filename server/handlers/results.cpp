@@ -177,7 +177,7 @@ Answer get_section_log(Service& service, const Call& call) {
   }
   Answer answer;
   answer.type = "text/plain; charset=utf-8";
-  answer.body = end_of_log(file, tail);
+  answer.body = service.data.without_root(end_of_log(file, tail));
   return answer;
 }
 

@@ -86,7 +86,9 @@ json section_detail(const db::SectionRecord& section, const DataFolder& data) {
       section.screening.empty() ? json() : json::parse(section.screening, nullptr, false);
   document["result"] = section.result ? to_document(*section.result) : json();
   document["log"] =
-      section.run.empty() ? "" : end_of_log(data.run(section.run) / "log.txt", most_log_bytes);
+      section.run.empty()
+          ? ""
+          : data.without_root(end_of_log(data.run(section.run) / "log.txt", most_log_bytes));
   return document;
 }
 

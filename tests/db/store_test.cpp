@@ -3,8 +3,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
+#include <memory>
 #include <thread>
 
 #include "tests/db/samples.hpp"
@@ -56,7 +58,28 @@ TEST(StoreFile, StoresOpenedAtOnceMigrateOnce) {
   EXPECT_EQ(Store(folder / "leda.sqlite").count_jobs({}), 6);
 }
 
-TEST(StoreFile, ThreadsOfOneStoreTakeTurns) {
+// A write that has to wait, here for another program, holds nobody up who only looks.
+TEST(StoreFile, ReadersDoNotWaitForAWriter) {
+  const ScratchFolder folder;
+  Store store(folder / "leda.sqlite", 60s);
+  store.add_job(job("job-1"));
+  SQLite::Database other((folder / "leda.sqlite").string(), SQLite::OPEN_READWRITE);
+  auto held = std::make_unique<SQLite::Transaction>(other, SQLite::TransactionBehavior::IMMEDIATE);
+  std::atomic<bool> written{false};
+  std::thread writer([&] {
+    store.add_job(job("job-2"));
+    written = true;
+  });
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(store.count_jobs({}), 1);
+  EXPECT_TRUE(store.job("job-1").has_value());
+  EXPECT_FALSE(written);
+  held.reset();
+  writer.join();
+  EXPECT_EQ(store.count_jobs({}), 2);
+}
+
+TEST(StoreFile, ThreadsThatWriteTakeTurns) {
   const ScratchFolder folder;
   Store store(folder / "leda.sqlite");
   std::vector<std::thread> threads;

@@ -30,6 +30,16 @@ TEST(DataFolder, SaysWhichFolderCannotBeMade) {
   }
 }
 
+TEST(DataFolder, ATextForPeopleOutsideDoesNotTellWhereItIs) {
+  const tests::TemporaryFolder folder;
+  const DataFolder data(folder.path() / "data");
+  const std::string root = data.root().string();
+  EXPECT_EQ(data.without_root(root + "/runs/a/x: no, see " + data.run("b").string()),
+            "runs/a/x: no, see runs/b");
+  EXPECT_EQ(data.without_root(root), "");
+  EXPECT_EQ(data.without_root("nothing of it"), "nothing of it");
+}
+
 TEST(RunnerLock, OneHoldsItAndTheNextMayAfterwards) {
   const tests::TemporaryFolder folder;
   const DataFolder data(folder.path());

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <future>
 #include <set>
 #include <thread>
 #include <utility>
 
+#include "tests/server/held_store.hpp"
 #include "tests/server/run_fixture.hpp"
 #include "tests/server/temporary_folder.hpp"
 
@@ -99,7 +101,7 @@ class DispatcherTest : public testing::Test {
 
   tests::TemporaryFolder folder;
   DataFolder data{folder.path()};
-  db::Store store{data.store()};
+  db::Store store{data.store(), std::chrono::milliseconds(50)};
   std::atomic<int> submitted{0};
 };
 
@@ -143,6 +145,101 @@ TEST_F(DispatcherTest, AfterThreeTriesTheSectionFailsWithItsReason) {
   EXPECT_EQ(submitted, 3);
   EXPECT_EQ(section().state, SectionState::failed);
   EXPECT_EQ(section().reason, "the worker died of signal 9: out of memory");
+}
+
+TEST_F(DispatcherTest, ATryGoesOnFromTheCheckpointOfTheOneBefore) {
+  add_job();
+  std::vector<bool> has_checkpoint;
+  std::vector<std::filesystem::path> folders;
+  const auto running = dispatcher([&](const RunOrder& order) {
+    folders.push_back(order.folder);
+    has_checkpoint.push_back(std::filesystem::exists(order.folder / "checkpoint.bin"));
+    if (folders.size() == 3) return with_result(order);
+    tests::write_text(order.folder / "checkpoint.bin", "state");
+    tests::write_text(order.folder / "frames.bin", "frames");
+    return std::optional(killed(order));
+  });
+  EXPECT_EQ(wait_for_end().state, JobState::successful);
+  EXPECT_EQ(has_checkpoint, (std::vector<bool>{false, true, true}));
+  ASSERT_EQ(folders.size(), 3U);
+  EXPECT_EQ(tests::read_text(folders[2] / "frames.bin"), "") << "what was taken in needs none";
+  for (const auto& of_try : folders) {
+    EXPECT_FALSE(std::filesystem::exists(of_try / "checkpoint.bin")) << of_try;
+  }
+}
+
+TEST_F(DispatcherTest, ARetryGoesOnFromTheCheckpointOfTheLastTry) {
+  add_job();
+  std::string found;
+  const auto running = dispatcher([&](const RunOrder& order) {
+    found = tests::read_text(order.folder / "checkpoint.bin");
+    if (submitted > Dispatcher::most_tries) return with_result(order);
+    tests::write_text(order.folder / "checkpoint.bin", "state " + std::to_string(submitted));
+    return std::optional(killed(order));
+  });
+  EXPECT_EQ(wait_for_end().state, JobState::failed);
+  store.set_section_state(section().id, SectionState::waiting, "");
+  store.set_job_state("job", JobState::accepted, "retried");
+  running->add("job");
+  const auto job = wait([](const db::JobRecord& now) { return now.state == JobState::successful; });
+  EXPECT_EQ(job.state, JobState::successful);
+  EXPECT_EQ(found, "state 3");
+}
+
+TEST_F(DispatcherTest, AFullDiskIsNoFailureOfTheRun) {
+  add_job();
+  const auto running = dispatcher([&](const RunOrder& order) {
+    return submitted < 3 ? std::optional(exited(order, 5)) : with_result(order);
+  });
+  EXPECT_EQ(wait_for_end().state, JobState::successful);
+  EXPECT_EQ(submitted, 3);
+  EXPECT_EQ(store.runs(section().id).front().reason, "the disk is full");
+}
+
+TEST_F(DispatcherTest, TooLittleMemoryIsTheReasonAndIsNotTriedAgain) {
+  add_job();
+  const auto running = dispatcher([&](const RunOrder& order) {
+    tests::write_text(order.folder / "log.txt", "error: the run needs more than 1 GB\n");
+    return exited(order, 6);
+  });
+  EXPECT_EQ(wait_for_end().state, JobState::failed);
+  EXPECT_EQ(submitted, 1);
+  EXPECT_EQ(section().reason, "memory: error: the run needs more than 1 GB");
+}
+
+TEST_F(DispatcherTest, AReasonDoesNotTellWhereTheDataFolderIs) {
+  add_job();
+  const auto running = dispatcher([&](const RunOrder& order) {
+    tests::write_text(order.folder / "log.txt", "cannot read " + order.folder.string() + "/x\n");
+    return exited(order, 1);
+  });
+  EXPECT_EQ(wait_for_end().state, JobState::failed);
+  EXPECT_EQ(section().reason.find(folder.path().string()), std::string::npos) << section().reason;
+  EXPECT_NE(section().reason.find("cannot read runs/job-0-3/x"), std::string::npos);
+}
+
+// A failure of the store must not count as one of the run.
+TEST_F(DispatcherTest, WhileAnotherProgramHoldsTheStoreNoTryIsCountedTwice) {
+  add_job();
+  std::promise<void> first_run, held;
+  const auto running = dispatcher([&](const RunOrder& order) {
+    if (submitted > 2) return with_result(order);
+    if (submitted == 1) {
+      first_run.set_value();
+      held.get_future().wait();
+    }
+    return std::optional(killed(order));
+  });
+  first_run.get_future().wait();
+  {
+    const tests::HeldStore other_program(data.store());
+    held.set_value();
+    std::this_thread::sleep_for(4s);
+    EXPECT_EQ(section().state, SectionState::running);
+  }
+  EXPECT_EQ(wait_for_end().state, JobState::successful);
+  EXPECT_EQ(submitted, 3);
+  EXPECT_EQ(section().attempts, 3);
 }
 
 TEST_F(DispatcherTest, AnInvalidCaseIsNotTriedAgain) {

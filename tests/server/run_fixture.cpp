@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "db/result_file.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/result_document.hpp"
 
@@ -50,7 +51,8 @@ SectionResult made_up_result() {
 }
 
 void leave_result(const std::filesystem::path& folder, const SectionResult& result) {
-  write_text(folder / "fields.h5", "");
+  db::ResultFileWriter fields(folder / "fields.h5", {"clay"}, result.case_sha256, result.version);
+  fields.close();
   write_text(folder / "result.json", server::result_text(result));
 }
 

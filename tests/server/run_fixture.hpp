@@ -18,7 +18,7 @@ SectionResult result_of_case_in(const std::filesystem::path& folder);
 /// A result of no case in particular: at rest after 10 s, 45 ns a particle and step.
 SectionResult made_up_result();
 
-/// Writes fields.h5 (empty) and result.json, as a worker does at its end.
+/// Writes fields.h5 (without a frame) and result.json, as a worker does at its end.
 void leave_result(const std::filesystem::path& folder, const SectionResult& result);
 
 void write_text(const std::filesystem::path& file, const std::string& text);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "db/result_file.hpp"
 #include "tests/server/run_fixture.hpp"
 #include "tests/server/temporary_folder.hpp"
 
@@ -33,6 +34,15 @@ TEST_F(TakeInTest, NothingElseCounts) {
   tests::leave_result(folder.path(), tests::result_of_case_in(folder.path()));
   std::filesystem::remove(folder.path() / "fields.h5");
   EXPECT_EQ(read_outcome(folder.path()).fault, "fields.h5 is missing");
+
+  tests::leave_result(folder.path(), tests::result_of_case_in(folder.path()));
+  const auto fields = folder.path() / "fields.h5";
+  std::filesystem::resize_file(fields, std::filesystem::file_size(fields) / 2);
+  EXPECT_EQ(read_outcome(folder.path()).fault, "fields.h5 is cut off or damaged");
+
+  std::filesystem::remove(fields);
+  db::ResultFileWriter(fields, {"clay"}, std::string(64, '0'), "test").close();
+  EXPECT_EQ(read_outcome(folder.path()).fault, "fields.h5 is of another case");
 
   tests::write_text(folder.path() / "result.json", R"({"status": "at-rest")");
   const Outcome cut_off = read_outcome(folder.path());

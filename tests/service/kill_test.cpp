@@ -114,6 +114,52 @@ TEST_F(Kill, ACleanEndTakesLessThanFiveSecondsAndLosesNothing) {
   expect_all_results_once(server, job);
 }
 
+// Texts of one kind of file, over all run folders.
+std::vector<std::string> in_runs(const std::filesystem::path& data, const std::string& name) {
+  std::vector<std::string> texts;
+  for (const auto& run : std::filesystem::directory_iterator(data / "runs")) {
+    std::ifstream in(run.path() / name, std::ios::binary);
+    if (in)
+      texts.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+  }
+  return texts;
+}
+
+TEST_F(Kill, ACleanEndLeavesCheckpointsAndTheNextServerGoesOnFromThem) {
+  const auto data = folder.path() / "data";
+  std::string job;
+  json region = slower_region();
+  region["inputs"]["resolution"]["cell_m"] = 1;
+  {
+    LedaServer server(data, {"--workers", "2"});
+    job = submit(server, region);
+    const auto moves = [&] {
+      int moving = 0;
+      for (const auto& text : in_runs(data, "progress.json")) {
+        const auto progress = json::parse(text, nullptr, false);
+        moving += progress.is_object() && progress.value("time_s", 0.0) > 0.2 ? 1 : 0;
+      }
+      return moving == 2;
+    };
+    const auto until = std::chrono::steady_clock::now() + 120s;
+    while (!moves() && std::chrono::steady_clock::now() < until) std::this_thread::sleep_for(10ms);
+    ASSERT_TRUE(moves());
+    EXPECT_LT(server.end(), 5);
+  }
+  EXPECT_EQ(in_runs(data, "checkpoint.bin").size(), 2U);
+  LedaServer server(data, {"--workers", "2"});
+  const auto goes_on = [&] {
+    int runs = 0;
+    for (const auto& log : in_runs(data, "log.txt")) {
+      runs += log.find("goes on from its checkpoint") != std::string::npos ? 1 : 0;
+    }
+    return runs;
+  };
+  expect_all_results_once(server, job);
+  EXPECT_EQ(goes_on(), 2);
+  EXPECT_TRUE(in_runs(data, "checkpoint.bin").empty()) << "left behind";
+}
+
 TEST_F(Kill, TheRestartedServerGivesTheSameResultsAsOneThatWasNeverKilled) {
   const auto distances = [&](const std::string& data, bool with_kill) {
     std::string job;

@@ -24,6 +24,7 @@ class LedaServer {
 
   httplib::Client& client() { return *client_; }
   const std::string& url() const { return url_; }
+  pid_t process() const { return process_; }
 
   void kill_hard();
   /// SIGTERM. @return seconds until it was gone

@@ -1,22 +1,48 @@
 #include "tests/service/region_on_a_bank.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <functional>
 
 namespace leda::tests {
 
-void write_bank(const std::filesystem::path& file) {
+namespace {
+
+constexpr int rows = 200, columns = 300;
+constexpr double cell_m = 2;
+
+/// @param elevation of a cell, from the distance eastwards, m, and its row; -9999: none
+void write_grid(const std::filesystem::path& file,
+                const std::function<double(double, int)>& elevation) {
   std::ofstream out(file);
-  out << "ncols 300\nnrows 200\nxllcorner 380000\nyllcorner 5113000\ncellsize 2\n"
-         "NODATA_value -9999\n";
-  for (int row = 0; row < 200; ++row) {
-    for (int column = 0; column < 300; ++column) {
-      const double x = 2 * column + 1;
-      const bool hole = row > 180 && column > 250;
-      out << (hole ? -9999 : 20 - 12 * std::clamp((x - 300) / 20, 0.0, 1.0)) << ' ';
+  out << "ncols " << columns << "\nnrows " << rows
+      << "\nxllcorner 380000\nyllcorner 5113000\ncellsize " << cell_m << "\nNODATA_value -9999\n";
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      out << elevation(cell_m * (column + 0.5), row) << ' ';
     }
     out << '\n';
   }
+}
+
+double bank(double x, double height_m, double width_m) {
+  return 20 - height_m * std::clamp((x - 300) / width_m, 0.0, 1.0);
+}
+
+}  // namespace
+
+void write_bank(const std::filesystem::path& file) {
+  write_grid(file, [](double x, int row) {
+    const bool hole = row > 180 && x > 502;
+    return hole ? -9999 : bank(x, 12, 20);
+  });
+}
+
+void write_wavy_bank(const std::filesystem::path& file) {
+  write_grid(file, [](double x, int row) {
+    return bank(x, 11 + 2 * std::sin(0.11 * row), 22 + 4 * std::cos(0.07 * row));
+  });
 }
 
 nlohmann::json bank_region() {

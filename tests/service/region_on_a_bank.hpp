@@ -11,6 +11,10 @@ namespace leda::tests {
 /// in the south-east.
 void write_bank(const std::filesystem::path& file);
 
+/// The same bank, of a height and a steepness that change from row to row, so that no two sections
+/// are alike; without the hole.
+void write_wavy_bank(const std::filesystem::path& file);
+
 /// The query to register it with: the grid itself carries no CRS.
 inline constexpr const char* bank_query = "?name=bank&epsg=2950&vertical_unit=m";
 
