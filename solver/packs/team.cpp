@@ -4,15 +4,18 @@ namespace leda::solver {
 
 namespace {
 
-// About 20 microseconds; then the thread sleeps until it is called.
-constexpr int looks_before_sleep = 4000;
+// Looking costs nothing while the others are about to finish; giving way lets them finish where
+// there are fewer cores than threads; only a long pause is worth a sleep and the wake after it.
+constexpr int looks = 2000;
+constexpr int turns_given_away = 5000;
 
 void wait_for_change(const std::atomic<unsigned>& value, unsigned known) {
-  for (int i = 0; i < looks_before_sleep; ++i) {
+  for (int i = 0; i < looks; ++i) {
     if (value.load(std::memory_order_acquire) != known) return;
-#if defined(__x86_64__)
-    __builtin_ia32_pause();
-#endif
+  }
+  for (int i = 0; i < turns_given_away; ++i) {
+    if (value.load(std::memory_order_acquire) != known) return;
+    std::this_thread::yield();
   }
   value.wait(known, std::memory_order_acquire);
 }
