@@ -177,7 +177,8 @@ void add_time_steps(std::vector<ExtremeCase>& suite) {
     suite.back().settings.time_step_factor = std::stod(factor);
     return suite.back();
   };
-  add("0.5", "time-step factor 0.5, the default");
+  add("0.5", "time-step factor 0.5");
+  add("0.65", "time-step factor 0.65, the default").promise.like = "time-step-0.5";
   add("0.3", "time-step factor 0.3").promise.like = "time-step-0.5";
   ExtremeCase& most = add("0.7", "time-step factor 0.7, the most a case may ask for");
   most.promise.like = "time-step-0.5";

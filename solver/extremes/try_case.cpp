@@ -14,7 +14,7 @@ namespace leda::solver {
 
 namespace {
 
-constexpr double most_mass_error = 1e-9;
+constexpr double most_mass_error = 1e-6;  // of single precision; the reference keeps 1e-12
 
 // gamma H / s_u of the uppermost layer's clay.
 double stability_number(const Section& section) {
