@@ -52,7 +52,7 @@ class Executor {
   /// Takes up a run that an earlier server submitted: poll() then tells its end. Comes before the
   /// first poll(), which gives up the runs that nobody adopted.
   /// @return false where the run is not computed any more
-  virtual bool adopt(const RunOrder&) { return false; }
+  virtual bool adopt([[maybe_unused]] const RunOrder& order) { return false; }
 };
 
 }  // namespace leda::server

@@ -9,6 +9,8 @@
 #include "server/features.hpp"
 #include "server/logging.hpp"
 #include "server/problem.hpp"
+#include "server/slurm/shared_folder.hpp"
+#include "server/slurm/slurm_executor.hpp"
 
 namespace leda::server {
 namespace {
@@ -87,20 +89,31 @@ std::optional<Submitted> stored_reply(const db::Store& store, const Process& pro
   return Submitted{*job, true};
 }
 
+DataFolder opened(const std::filesystem::path& data_folder, const ServiceOptions& options) {
+  const auto& shared = options.slurm.shared_folder;
+  if (options.runs_on == RunsOn::slurm && !shared.empty()) put_runs_in(data_folder, shared);
+  return DataFolder(data_folder);
+}
+
+std::unique_ptr<Executor> executor(const ServiceOptions& options, const DataFolder& data) {
+  if (options.runs_on == RunsOn::this_machine) {
+    return std::make_unique<LocalExecutor>(options.program, options.workers, options.run_limits);
+  }
+  const auto& shared = options.slurm.shared_folder;
+  return std::make_unique<SlurmExecutor>(options.slurm.program, options.slurm, options.run_limits,
+                                         (shared.empty() ? data.root() : shared) / "arrays");
+}
+
 }  // namespace
 
 Service::Service(const std::filesystem::path& data_folder, const ServiceOptions& options)
     : limits(options.limits),
       tokens(options.tokens),
       public_url(options.public_url),
-      data(data_folder),
+      data(opened(data_folder, options)),
       lock(data),
       store(data.store()),
-      dispatcher(data, store,
-                 [options] {
-                   return std::make_unique<LocalExecutor>(options.program, options.workers,
-                                                          options.run_limits);
-                 },
+      dispatcher(data, store, [options, this] { return executor(options, data); },
                  {[this](const SectionResult& result) { metrics.count_run(result); },
                   [this](int runs) { metrics.count_restarts(runs); }}) {
   // Jobs of an older Leda, and one whose server was killed between two lines of submit().

@@ -17,12 +17,17 @@
 #include "server/local_executor.hpp"
 #include "server/metrics.hpp"
 #include "server/process.hpp"
+#include "server/slurm/settings.hpp"
 
 namespace leda::server {
 
+enum class RunsOn { this_machine, slurm };
+
 struct ServiceOptions {
+  RunsOn runs_on = RunsOn::this_machine;
   std::size_t workers = 1;
   RunLimits run_limits;
+  SlurmSettings slurm;
   std::filesystem::path program = own_program();  ///< of the workers
   Limits limits;
   Tokens tokens;           ///< none: only for the loopback interface
@@ -69,7 +74,7 @@ Submitted submit(Service& service, const Process& process, const std::string& re
 nlohmann::json dry_run(const Service& service, const Process& process, const std::string& request);
 
 /// Puts the failed sections of a finished job back in line. @throws Problem
-db::JobRecord retry(Service& service, const std::string& job);
+db::JobRecord retry(Service& service, const std::string& id);
 
 /// @throws Problem no_such_job
 db::JobRecord job_or_problem(const db::Store& store, const std::string& id);

@@ -19,7 +19,7 @@ constexpr int look_again_ms = 50;  // at `stop` and the clock
 
 class Pipe {
  public:
-  Pipe() { sound_ = pipe2(ends_.data(), O_CLOEXEC) == 0; }
+  Pipe() : sound_(pipe2(ends_.data(), O_CLOEXEC) == 0) {}
   ~Pipe() {
     close_read();
     close_write();
@@ -39,7 +39,7 @@ class Pipe {
     file = -1;
   }
   std::array<int, 2> ends_{-1, -1};
-  bool sound_ = false;
+  bool sound_;
 };
 
 /// What the child does before it becomes the program.
@@ -99,7 +99,7 @@ bool listen(Pipe& out, Pipe& errors, Said& said, Clock::time_point until,
 
 }  // namespace
 
-Said ask_program(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
+Said ask_program(std::vector<std::string> arguments, std::chrono::milliseconds patience,
                  const std::atomic<bool>& stop) {
   Said said;
   const auto until = Clock::now() + patience;
@@ -109,7 +109,8 @@ Said ask_program(const std::vector<std::string>& arguments, std::chrono::millise
     return said;
   }
   std::vector<char*> argv;
-  for (const auto& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.reserve(arguments.size() + 1);
+  for (auto& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   const Preparation preparation(out.write_end(), errors.write_end());
   pid_t child = 0;

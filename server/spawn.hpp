@@ -19,7 +19,7 @@ struct Said {
 /// @param arguments the program first; without a slash it is looked up in PATH
 /// @param patience after that it is ended with SIGKILL
 /// @param stop ends it sooner when it becomes true
-Said ask_program(const std::vector<std::string>& arguments, std::chrono::milliseconds patience,
+Said ask_program(std::vector<std::string> arguments, std::chrono::milliseconds patience,
                  const std::atomic<bool>& stop);
 
 }  // namespace leda::server

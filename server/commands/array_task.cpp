@@ -65,14 +65,14 @@ int array_task(const Options& options) {
     throw std::runtime_error(fmt::format("{} has no task {}, only {}", options.note.string(), index,
                                          note.folders.size()));
   }
-  const std::string program = note.program.string();
-  const auto words = worker_arguments({"", note.folders[index]});
-  std::vector<const char*> arguments{program.c_str()};
-  for (const auto& word : words) arguments.push_back(word.c_str());
+  std::string program = note.program.string();
+  auto words = worker_arguments({"", note.folders[index]});
+  std::vector<char*> arguments{program.data()};
+  for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   write_to(note.folders[index] / "log.txt");
   apply(note.limits);
-  execv(program.c_str(), const_cast<char* const*>(arguments.data()));
+  execv(program.c_str(), arguments.data());
   fmt::print(stderr, "the program of the run could not be started: {}: {}\n", program,
              std::strerror(errno));
   return 127;

@@ -8,6 +8,7 @@
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
 #include "server/commands/run_options.hpp"
+#include "server/commands/settings_file.hpp"
 #include "server/documents/run_folder.hpp"
 #include "server/http_server.hpp"
 #include "server/logging.hpp"
@@ -107,6 +108,7 @@ int serve(const Options& options) {
 void add_serve(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("serve", "Serve HTTP and run jobs");
+  add_settings_file(*command);
   command->add_option("--data", options->data, "data folder")->required();
   command->add_option("--listen", options->listen, "HOST:PORT; port 0: any free one")
       ->capture_default_str();

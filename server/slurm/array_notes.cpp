@@ -30,7 +30,7 @@ ArrayNote read_note(const fs::path& file) {
   }
 }
 
-ArrayNotes::ArrayNotes(fs::path folder) {
+ArrayNotes::ArrayNotes(const fs::path& folder) {
   fs::create_directories(folder);
   folder_ = fs::canonical(folder);
   prefix_ = "leda-" + sha256(folder_.string()).substr(0, 8) + "-";

@@ -24,7 +24,7 @@ ArrayNote read_note(const std::filesystem::path& file);
 class ArrayNotes {
  public:
   /// @throws std::runtime_error where the folder can't be made
-  explicit ArrayNotes(std::filesystem::path folder);
+  explicit ArrayNotes(const std::filesystem::path& folder);
 
   /// Every array that is not over, by name.
   std::vector<ArrayNote> read() const;

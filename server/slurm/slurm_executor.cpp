@@ -14,11 +14,11 @@ RunEnd cancelled(const std::string& run) { return {run, RunEnd::How::cancelled, 
 
 }  // namespace
 
-SlurmExecutor::SlurmExecutor(const std::filesystem::path& program, SlurmSettings settings,
+SlurmExecutor::SlurmExecutor(std::filesystem::path program, SlurmSettings settings,
                              RunLimits limits, const std::filesystem::path& notes)
     : settings_(std::move(settings)),
       limits_(limits),
-      program_(program),
+      program_(std::move(program)),
       notes_(notes),
       cluster_(settings_, limits_, stop_) {
   std::string faults;

@@ -28,10 +28,12 @@ class SlurmExecutor final : public Executor {
   /// @param program of the runs: leda, as the nodes know it
   /// @param notes a folder that the nodes can read; made where it is missing
   /// @throws std::runtime_error where the settings can't work
-  SlurmExecutor(const std::filesystem::path& program, SlurmSettings settings, RunLimits limits,
+  SlurmExecutor(std::filesystem::path program, SlurmSettings settings, RunLimits limits,
                 const std::filesystem::path& notes);
   /// Leaves the runs to Slurm.
   ~SlurmExecutor() override;
+  SlurmExecutor(const SlurmExecutor&) = delete;
+  SlurmExecutor& operator=(const SlurmExecutor&) = delete;
 
   std::size_t free_slots() const override;
   void submit(const RunOrder& order) override;

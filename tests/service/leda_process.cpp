@@ -24,17 +24,19 @@ std::string read_text(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-pid_t start(const std::vector<std::string>& arguments, const std::filesystem::path& out,
-            const std::filesystem::path& errors) {
-  std::vector<const char*> argv{LEDA_PROGRAM};
+constexpr int not_installed = 127;
+
+pid_t start(const std::string& program, const std::vector<std::string>& arguments,
+            const std::filesystem::path& out, const std::filesystem::path& errors) {
+  std::vector<const char*> argv{program.c_str()};
   for (const auto& argument : arguments) argv.push_back(argument.c_str());
   argv.push_back(nullptr);
   const pid_t child = fork();
   if (child == 0) {
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDOUT_FILENO);
     dup2(open(errors.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644), STDERR_FILENO);
-    execv(LEDA_PROGRAM, const_cast<char* const*>(argv.data()));
-    _exit(127);
+    execvp(program.c_str(), const_cast<char* const*>(argv.data()));
+    _exit(not_installed);
   }
   if (child < 0) throw std::runtime_error("fork failed");
   return child;
@@ -48,7 +50,7 @@ LedaServer::LedaServer(const std::filesystem::path& data, const std::vector<std:
   arguments.insert(arguments.end(), more.begin(), more.end());
   const auto errors = data / "server.log";
   std::filesystem::remove(data / "server.json");
-  process_ = start(arguments, data / "server.out", errors);
+  process_ = start(LEDA_PROGRAM, arguments, data / "server.out", errors);
   const auto until = Clock::now() + 30s;
   while (Clock::now() < until && is_alive(process_)) {
     const auto where = nlohmann::json::parse(read_text(data / "server.json"), nullptr, false);
@@ -123,8 +125,20 @@ Output run_leda(const std::vector<std::string>& arguments) {
   const auto out = folder.path() / "out";
   const auto errors = folder.path() / "errors";
   int status = 0;
-  waitpid(start(arguments, out, errors), &status, 0);
+  waitpid(start(LEDA_PROGRAM, arguments, out, errors), &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(out), read_text(errors)};
+}
+
+std::optional<Output> run_program(const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out";
+  const auto errors = folder.path() / "errors";
+  int status = 0;
+  const std::vector<std::string> others(arguments.begin() + 1, arguments.end());
+  waitpid(start(arguments.front(), others, out, errors), &status, 0);
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  if (code == not_installed) return std::nullopt;
+  return Output{code, read_text(out), read_text(errors)};
 }
 
 bool is_alive(pid_t process) {

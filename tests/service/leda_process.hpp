@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ struct Output {
 
 /// Runs `leda` with these arguments to its end.
 Output run_leda(const std::vector<std::string>& arguments);
+
+/// Runs a program of this machine to its end; nothing where it is not installed.
+std::optional<Output> run_program(const std::vector<std::string>& arguments);
 
 bool is_alive(pid_t process);
 
