@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "profiles/gdal_error.hpp"
+#include "profiles/network_fence.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -123,6 +124,7 @@ void initialize_gdal() {
     CPLSetConfigOption("GDAL_VRT_ENABLE_PYTHON", "NO");
     CPLSetConfigOption("GDAL_CACHEMAX", "128");
     OSRSetPROJEnableNetwork(0);
+    close_network();
     // Only these exist in the process: nothing else can be opened, whatever a file says it is.
     GDALRegister_GTiff();
     GDALRegister_COG();

@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::chrono::milliseconds patience{3000};  // between SIGTERM and SIGKILL
 
+constexpr int lower_priority = 5;  // answers come before runs
+
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool can_limit_memory = false;  // its shadow memory takes terabytes of address space
 #else
@@ -45,6 +47,7 @@ void limit(decltype(RLIMIT_AS) what, rlim_t soft, rlim_t hard) {
   dup2(log, STDOUT_FILENO);
   dup2(log, STDERR_FILENO);
   close_range(3, ~0U, 0);  // sockets and the store are not the worker's
+  setpriority(PRIO_PROCESS, 0, lower_priority);
   limit(RLIMIT_CORE, 0, 0);
   if (can_limit_memory && limits.memory_bytes > 0) {
     limit(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes);

@@ -6,7 +6,8 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <type_traits>
+#include <string_view>
+#include <system_error>
 
 #include "server/documents/sha256.hpp"
 #include "server/documents/whole_file.hpp"
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* state_name = "checkpoint.bin";
 constexpr const char* frames_name = "frames.bin";
-constexpr const char* first_line = "leda checkpoint 2";
+constexpr const char* first_line = "leda checkpoint 3";
 
 std::string read_all(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -40,70 +41,66 @@ void append(std::string& bytes, const T* values, std::size_t count) {
   bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
 }
 
-// A frame as bytes: their number, its time, the number of its particles, its arrays.
+// A frame as bytes: its time, the number of its particles, its arrays.
 std::string packed(const Frame& frame) {
-  std::string body;
   const std::uint64_t count = frame.x.size();
-  append(body, &frame.time_s, 1);
-  append(body, &count, 1);
-  for_each_array(frame, [&](const auto& array) { append(body, array.data(), array.size()); });
-  const std::uint64_t size = body.size();
   std::string bytes;
-  append(bytes, &size, 1);
-  return bytes + body;
+  append(bytes, &frame.time_s, 1);
+  append(bytes, &count, 1);
+  for_each_array(frame, [&](const auto& array) { append(bytes, array.data(), array.size()); });
+  return bytes;
 }
 
 // Reads no further than the bytes that are there, whatever the numbers in them say.
-class Unpacker {
- public:
-  explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
+template <class T>
+bool take(std::string_view& bytes, T* values, std::uint64_t count) {
+  if (count > bytes.size() / sizeof(T)) return false;
+  std::memcpy(values, bytes.data(), count * sizeof(T));
+  bytes.remove_prefix(count * sizeof(T));
+  return true;
+}
 
-  template <class T>
-  bool take(T* values, std::uint64_t count) {
-    if (count > bytes_.size() / sizeof(T)) return false;
-    std::memcpy(values, bytes_.data(), count * sizeof(T));
-    bytes_.remove_prefix(count * sizeof(T));
-    return true;
-  }
-  std::string_view take(std::uint64_t count) {
-    const auto taken = bytes_.substr(0, count);
-    bytes_.remove_prefix(taken.size());
-    return taken;
-  }
-  std::size_t left() const { return bytes_.size(); }
-
- private:
-  std::string_view bytes_;
-};
-
-bool unpack(std::string_view body, Frame& frame) {
-  Unpacker in(body);
+bool unpack(std::string_view bytes, Frame& frame) {
   std::uint64_t count = 0;
-  bool whole = in.take(&frame.time_s, 1) && in.take(&count, 1) && count <= in.left();
+  bool whole = take(bytes, &frame.time_s, 1) && take(bytes, &count, 1) && count <= bytes.size();
   for_each_array(frame, [&](auto& array) {
     if (!whole) return;
     array.resize(count);
-    whole = in.take(array.data(), count);
+    whole = take(bytes, array.data(), count);
   });
-  return whole && in.left() == 0;
+  return whole && bytes.empty();
 }
 
-// Empty where the bytes are not exactly `count` frames with that chain.
-std::vector<Frame> unpack_all(std::string_view bytes, std::int64_t count,
-                              const std::string& chain) {
-  std::vector<Frame> frames;
-  std::string found;
-  Unpacker in(bytes);
-  for (std::int64_t i = 0; i < count; ++i) {
-    std::uint64_t size = 0;
-    if (!in.take(&size, 1) || size > in.left()) return {};
-    const std::string_view body = in.take(size);
-    found = sha256(found + std::string(body));
-    if (!unpack(body, frames.emplace_back())) return {};
-  }
-  if (in.left() > 0 || found != chain) return {};
-  return frames;
+std::string next_in_chain(const std::string& chain, const std::string& frame) {
+  return sha256(chain + sha256(frame));
 }
+
+// The frames in the first bytes of a file, one after the other.
+class FrameReader {
+ public:
+  FrameReader(const fs::path& file, std::uintmax_t bytes)
+      : in_(file, std::ios::binary), left_(bytes) {
+    std::error_code error;
+    if (fs::file_size(file, error) < bytes || error) left_ = 0;
+  }
+
+  // Empty at the end, and where what follows is no frame.
+  std::string next() {
+    std::uint64_t size = 0;
+    if (left_ < sizeof size) return "";
+    in_.read(reinterpret_cast<char*>(&size), sizeof size);
+    left_ -= sizeof size;
+    if (!in_ || size > left_) return "";
+    std::string bytes(size, '\0');
+    in_.read(bytes.data(), static_cast<std::streamsize>(size));
+    left_ -= size;
+    return in_ ? bytes : "";
+  }
+
+ private:
+  std::ifstream in_;
+  std::uintmax_t left_;
+};
 
 // The rest of the line that begins with a word.
 std::string value_of(const std::string& word, std::istream& lines) {
@@ -120,7 +117,7 @@ RunCheckpoint::RunCheckpoint(fs::path folder, std::string sha256, std::string ve
       sha256_(std::move(sha256)),
       version_(std::move(version)) {}
 
-std::string RunCheckpoint::head(const std::string& state, const Frames& frames) const {
+std::string RunCheckpoint::head(std::string_view state, const Frames& frames) const {
   return fmt::format("{}\ncase {}\nversion {}\nframes {} {} {}\nstate {}\n", first_line, sha256_,
                      version_, frames.count, frames.bytes, frames.chain, sha256(state));
 }
@@ -142,36 +139,51 @@ std::string RunCheckpoint::mismatch(const std::string& bytes, Frames& frames,
     return fmt::format("leda {} wrote it, this is leda {}", version.substr(0, 40), version_);
   }
   head_bytes = static_cast<std::size_t>(lines.tellg());
-  const std::string state = bytes.substr(head_bytes);
-  if (state.empty() || bytes != head(state, frames) + state) return "it is damaged or cut off";
+  const auto state = std::string_view(bytes).substr(head_bytes);
+  if (state.empty() || !bytes.starts_with(head(state, frames))) return "it is damaged or cut off";
   return "";
+}
+
+// Whether frames.bin begins with exactly these frames.
+bool RunCheckpoint::stand(const Frames& wanted) const {
+  Frames found;
+  Frame frame;
+  FrameReader reader(frames_file_, wanted.bytes);
+  for (std::string bytes = reader.next(); !bytes.empty(); bytes = reader.next()) {
+    if (!unpack(bytes, frame)) return false;
+    ++found.count;
+    found.bytes += sizeof(std::uint64_t) + bytes.size();
+    found.chain = next_in_chain(found.chain, bytes);
+  }
+  return found.count == wanted.count && found.bytes == wanted.bytes && found.chain == wanted.chain;
 }
 
 RunCheckpoint::Left RunCheckpoint::read() {
   Left left;
   if (!fs::exists(state_file_)) return left;
-  const std::string bytes = read_all(state_file_);
+  std::string bytes = read_all(state_file_);
   Frames frames;
   std::size_t head_bytes = 0;
   left.refused = mismatch(bytes, frames, head_bytes);
+  if (left.refused.empty() && !stand(frames)) left.refused = "its frames are damaged or cut off";
   if (!left.refused.empty()) return left;
-  const std::string packed_frames = read_all(frames_file_);
-  if (packed_frames.size() >= frames.bytes) {
-    left.frames = unpack_all(std::string_view(packed_frames).substr(0, frames.bytes), frames.count,
-                             frames.chain);
-  }
-  if (static_cast<std::int64_t>(left.frames.size()) != frames.count) {
-    left.frames.clear();
-    left.refused = "its frames are damaged or cut off";
-    return left;
-  }
-  left.state = bytes.substr(head_bytes);
+  left.state = std::move(bytes.erase(0, head_bytes));
+  left.frames = frames.count;
   frames_ = frames;
   return left;
 }
 
-void RunCheckpoint::go_on() {
-  if (fs::exists(frames_file_)) fs::resize_file(frames_file_, frames_.bytes);
+void RunCheckpoint::go_on(const std::function<void(const Frame&)>& show) {
+  if (frames_.count == 0) return;
+  fs::resize_file(frames_file_, frames_.bytes);
+  FrameReader reader(frames_file_, frames_.bytes);
+  Frame frame;
+  for (std::int64_t i = 0; i < frames_.count; ++i) {
+    if (!unpack(reader.next(), frame)) {
+      throw FileError(frames_file_.string() + " has changed since it was checked");
+    }
+    show(frame);
+  }
 }
 
 void RunCheckpoint::begin() {
@@ -181,10 +193,11 @@ void RunCheckpoint::begin() {
 
 void RunCheckpoint::add(const Frame& frame) {
   const std::string bytes = packed(frame);
-  append_to_file(frames_file_, bytes);
+  const std::uint64_t size = bytes.size();
+  append_to_file(frames_file_, {reinterpret_cast<const char*>(&size), sizeof size}, bytes);
   ++frames_.count;
-  frames_.bytes += bytes.size();
-  frames_.chain = sha256(frames_.chain + bytes.substr(sizeof(std::uint64_t)));
+  frames_.bytes += sizeof size + bytes.size();
+  frames_.chain = next_in_chain(frames_.chain, bytes);
 }
 
 void RunCheckpoint::keep(const std::string& state, std::int64_t frames) {
@@ -192,7 +205,7 @@ void RunCheckpoint::keep(const std::string& state, std::int64_t frames) {
     throw std::logic_error(fmt::format("{} frames were shown and {} kept", frames, frames_.count));
   }
   if (frames_.count > 0) sync_to_disk(frames_file_);
-  write_durably(state_file_, head(state, frames_) + state);
+  write_durably(state_file_, head(state, frames_), state);
 }
 
 void remove_checkpoint(const fs::path& folder) {

@@ -4,8 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "solver/section/frame.hpp"
 
@@ -19,16 +20,18 @@ class RunCheckpoint {
 
   /// What stands in the folder.
   struct Left {
-    std::string state;  ///< empty: none that can be trusted
-    std::vector<Frame> frames;
-    std::string refused;  ///< why there is a checkpoint and no state; empty otherwise
+    std::string state;        ///< empty: none that can be trusted
+    std::int64_t frames = 0;  ///< shown before it
+    std::string refused;      ///< why there is a checkpoint and no state; empty otherwise
   };
   /// Changes nothing. A checkpoint of another case or version is refused, and a damaged one.
   Left read();
 
-  /// Then one of these two, before add() and keep().
-  void go_on();  ///< from what read() gave: frames after the checkpoint are dropped
-  void begin();  ///< anew: what stands is removed
+  /// Then one of these two, before add() and keep(). go_on(): from what read() gave; shows the
+  /// frames before the checkpoint, one in memory at a time, and drops those after it. begin():
+  /// anew, what stands is removed.
+  void go_on(const std::function<void(const Frame&)>& show);
+  void begin();
 
   void add(const Frame& frame);  ///< to frames.bin
   /// Replaces checkpoint.bin, and brings it and the frames before it to the disk.
@@ -38,9 +41,10 @@ class RunCheckpoint {
   struct Frames {
     std::int64_t count = 0;
     std::uintmax_t bytes = 0;
-    std::string chain;  ///< sha256 over the chain before and the last frame
+    std::string chain;  ///< sha256 of the chain before and the sha256 of the last frame
   };
-  std::string head(const std::string& state, const Frames& frames) const;
+  std::string head(std::string_view state, const Frames& frames) const;
+  bool stand(const Frames& wanted) const;
   std::string mismatch(const std::string& bytes, Frames& frames, std::size_t& head_bytes) const;
 
   std::filesystem::path state_file_, frames_file_;

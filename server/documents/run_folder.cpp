@@ -114,16 +114,13 @@ class RunFiles {
   }
 
   void go_on() {
-    checkpoint_.go_on();
-    for (const Frame& frame : left_.frames) show(frame);
-    say(fmt::format("goes on from its checkpoint, {} frames", left_.frames.size()));
-    left_ = {};
+    checkpoint_.go_on([this](const Frame& frame) { show(frame); });
+    say(fmt::format("goes on from its checkpoint, {} frames", left_.frames));
   }
 
   void begin() {
     checkpoint_.begin();
     say("the checkpoint is refused, the run starts anew: it is no state of this run");
-    left_ = {};
   }
 
   void keep(const std::string& state, std::int64_t frames) {

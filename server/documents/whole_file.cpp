@@ -53,12 +53,14 @@ class Descriptor {
   int number_;
 };
 
-void write_and_rename(const fs::path& file, std::string_view text, bool durably) {
+void write_and_rename(const fs::path& file, std::string_view text, std::string_view more,
+                      bool durably) {
   fs::path part = file;
   part += ".part";
   try {
     Descriptor out(part, O_WRONLY | O_CREAT | O_TRUNC);
     out.write(text);
+    out.write(more);
     if (durably) out.sync();
     out.close();
     if (rename(part.c_str(), file.c_str()) != 0) fail(file, "could not be written", errno);
@@ -73,16 +75,17 @@ void write_and_rename(const fs::path& file, std::string_view text, bool durably)
 }  // namespace
 
 void write_whole(const fs::path& file, std::string_view text) {
-  write_and_rename(file, text, false);
+  write_and_rename(file, text, "", false);
 }
 
-void write_durably(const fs::path& file, std::string_view text) {
-  write_and_rename(file, text, true);
+void write_durably(const fs::path& file, std::string_view text, std::string_view more) {
+  write_and_rename(file, text, more, true);
 }
 
-void append_to_file(const fs::path& file, std::string_view text) {
+void append_to_file(const fs::path& file, std::string_view text, std::string_view more) {
   Descriptor out(file, O_WRONLY | O_CREAT | O_APPEND);
   out.write(text);
+  out.write(more);
   out.close();
 }
 

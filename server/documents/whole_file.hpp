@@ -18,10 +18,12 @@ class FileError : public std::runtime_error {
 void write_whole(const std::filesystem::path& file, std::string_view text);
 
 /// The same, and it is on the disk when this returns: it outlives a power cut.
-void write_durably(const std::filesystem::path& file, std::string_view text);
+void write_durably(const std::filesystem::path& file, std::string_view text,
+                   std::string_view more = "");
 
 /// Adds to the end of a file, which is made where it is missing.
-void append_to_file(const std::filesystem::path& file, std::string_view text);
+void append_to_file(const std::filesystem::path& file, std::string_view text,
+                    std::string_view more = "");
 
 /// Brings what was written to a file or folder to the disk.
 void sync_to_disk(const std::filesystem::path& path);

@@ -26,6 +26,27 @@ TEST_F(HttpServerTest, TheLandingPageLinksWhatClientsLookFor) {
   EXPECT_EQ(page->get_header_value("Content-Type"), "text/html; charset=utf-8");
 }
 
+// QGIS drops the query of the data link and appends /ID and /ID/items to its path.
+TEST_F(HttpServerTest, TheDataLinkIsThePathThatClientsBuildOn) {
+  std::string data;
+  const json landing = ok("/?f=json");
+  for (const auto& link : landing["links"]) {
+    if (link["rel"] == "data") data = link["href"];
+  }
+  EXPECT_EQ(data, service.url + "/collections");
+  const json collections = ok("/collections");
+  for (const auto& collection : collections["collections"]) {
+    const std::string own = "/collections/" + collection["id"].get<std::string>();
+    EXPECT_EQ(ok(own)["id"], collection["id"]);
+    std::set<std::string> items;
+    for (const auto& link : collection["links"]) {
+      if (link["rel"] == "items") items.insert(link["href"].get<std::string>());
+    }
+    EXPECT_TRUE(items.contains(service.url + own + "/items")) << collection.dump(2);
+    EXPECT_EQ(ok(own + "/items")["type"], "FeatureCollection");
+  }
+}
+
 TEST_F(HttpServerTest, TheClassesItConformsToAreNamed) {
   std::set<std::string> classes;
   const json conformance = ok("/conformance");

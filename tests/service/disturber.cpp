@@ -3,7 +3,6 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "tests/server/held_store.hpp"
@@ -15,19 +14,6 @@ using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
 constexpr int most_failures = 2;
-
-std::string read_text(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-/// The folder of a worker's run, from what it was called with.
-fs::path folder_of(pid_t worker) {
-  const std::string command = read_text("/proc/" + std::to_string(worker) + "/cmdline");
-  const std::string option = std::string("--out") + '\0';
-  const auto at = command.find(option);
-  return at == std::string::npos ? "" : command.c_str() + at + option.size();
-}
 
 void damage(const fs::path& run, int how) {
   if (how == 0) {
@@ -49,7 +35,7 @@ void Disturber::restart() {
 
 /// "JOB-ORDINAL" of the run "JOB-ORDINAL-TRY"; empty where the worker is gone.
 std::string Disturber::section_of(pid_t worker) const {
-  const std::string run = folder_of(worker).filename().string();
+  const std::string run = run_folder_of(worker).filename().string();
   return run.substr(0, run.rfind('-'));
 }
 
@@ -91,15 +77,19 @@ void Disturber::fill_disk() {
 void Disturber::corrupt_result() {
   const auto workers = server_->workers();
   if (workers.empty()) return;
-  const fs::path run = folder_of(workers.front());
-  const std::string section = section_of(workers.front());
+  const pid_t worker = workers.front();
+  const fs::path run = run_folder_of(worker);
+  const std::string section = section_of(worker);
   if (!may_fail(section)) return;
   kill(server_->process(), SIGSTOP);
-  const auto until = std::chrono::steady_clock::now() + 20s;
-  while (is_alive(workers.front()) && std::chrono::steady_clock::now() < until) {
+  const auto until = std::chrono::steady_clock::now() + 60s;
+  const auto in_time = [&] { return std::chrono::steady_clock::now() < until; };
+  while (state_of(server_->process()) != 'T' && in_time()) std::this_thread::sleep_for(1ms);
+  // A worker that the stopped server has not yet buried, alive or dead, was not taken in.
+  while (state_of(worker) != 'Z' && state_of(worker) != 0 && in_time()) {
     std::this_thread::sleep_for(10ms);
   }
-  if (fs::exists(run / "result.json")) {
+  if (state_of(worker) == 'Z' && fs::exists(run / "result.json")) {
     damage(run, number(0, 2));
     ++failures_[section];
     ++done_.corrupt_results;

@@ -12,6 +12,7 @@ namespace leda::tests {
 SmallDisk::SmallDisk(std::filesystem::path folder, std::size_t megabytes)
     : folder_(std::move(folder)) {
   std::filesystem::create_directories(folder_);
+  if (megabytes == 0) return;
   const std::string options = "size=" + std::to_string(megabytes) + "m";
   mounted_ = mount("tmpfs", folder_.c_str(), "tmpfs", 0, options.c_str()) == 0;
 }

@@ -141,10 +141,20 @@ std::optional<Output> run_program(const std::vector<std::string>& arguments) {
   return Output{code, read_text(out), read_text(errors)};
 }
 
-bool is_alive(pid_t process) {
+std::filesystem::path run_folder_of(pid_t worker) {
+  const std::string command = read_text("/proc/" + std::to_string(worker) + "/cmdline");
+  const std::string option = std::string("--out") + '\0';
+  const auto at = command.find(option);
+  return at == std::string::npos ? "" : command.c_str() + at + option.size();
+}
+
+char state_of(pid_t process) {
   const std::string stat = read_text("/proc/" + std::to_string(process) + "/stat");
   const auto after_name = stat.rfind(')');
-  return after_name != std::string::npos && stat.compare(after_name + 1, 2, " Z") != 0;
+  return after_name == std::string::npos || after_name + 2 >= stat.size() ? '\0'
+                                                                          : stat[after_name + 2];
 }
+
+bool is_alive(pid_t process) { return state_of(process) != 0 && state_of(process) != 'Z'; }
 
 }  // namespace leda::tests

@@ -57,6 +57,14 @@ Output run_leda(const std::vector<std::string>& arguments);
 /// Runs a program of this machine to its end; nothing where it is not installed.
 std::optional<Output> run_program(const std::vector<std::string>& arguments);
 
+/// As /proc has it: 'R', 'S', 'T' (stopped), 'Z' (dead, not yet buried by its parent), ...; 0 where
+/// there is no such process.
+char state_of(pid_t process);
+
 bool is_alive(pid_t process);
+
+/// The folder of the run that a worker computes, from what it was called with; empty where it is
+/// gone.
+std::filesystem::path run_folder_of(pid_t worker);
 
 }  // namespace leda::tests

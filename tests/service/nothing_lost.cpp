@@ -109,7 +109,7 @@ int run(const Wanted& wanted) {
   const double quiet_s = std::chrono::duration<double>(Clock::now() - begin).count();
 
   begin = Clock::now();
-  SmallDisk disk(wanted.mount ? folder.path() / "disturbed" : "", 1000);
+  SmallDisk disk(folder.path() / "disturbed", wanted.mount ? 1000 : 0);
   const auto data = disk.folder();
   Disturber disturber(
       disk, [&] { return std::make_unique<LedaServer>(data, serve_options); }, wanted.seed);

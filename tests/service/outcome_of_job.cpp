@@ -36,10 +36,14 @@ bool same_particles(const Frame& a, const Frame& b) {
 }
 
 bool same_fields(const std::filesystem::path& one, const std::filesystem::path& other) {
-  const auto a = db::read_result_file(one), b = db::read_result_file(other);
-  bool same = a.size() == b.size() && !a.empty();
-  for (std::size_t i = 0; same && i < a.size(); ++i) same = same_particles(a[i], b[i]);
-  return same;
+  try {
+    const auto a = db::read_result_file(one), b = db::read_result_file(other);
+    bool same = a.size() == b.size() && !a.empty();
+    for (std::size_t i = 0; same && i < a.size(); ++i) same = same_particles(a[i], b[i]);
+    return same;
+  } catch (const std::runtime_error&) {  // missing or damaged
+    return false;
+  }
 }
 
 std::int64_t number_from(sqlite3* store, const char* query) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <vector>
 
 #include "tests/server/temporary_folder.hpp"
 
@@ -22,6 +23,12 @@ Frame frame(float first) {
   }
   f.material.assign(3, 1);
   return f;
+}
+
+std::vector<Frame> shown(RunCheckpoint& checkpoint) {
+  std::vector<Frame> frames;
+  checkpoint.go_on([&](const Frame& f) { frames.push_back(f); });
+  return frames;
 }
 
 class RunCheckpointTest : public testing::Test {
@@ -49,7 +56,7 @@ class RunCheckpointTest : public testing::Test {
 
   void expect_refused(const RunCheckpoint::Left& left, const std::string& why) {
     EXPECT_TRUE(left.state.empty());
-    EXPECT_TRUE(left.frames.empty());
+    EXPECT_EQ(left.frames, 0);
     EXPECT_NE(left.refused.find(why), std::string::npos) << left.refused;
   }
 
@@ -68,18 +75,20 @@ TEST_F(RunCheckpointTest, GivesTheStateAndTheFramesBeforeIt) {
   const auto left = again.read();
   EXPECT_EQ(left.refused, "");
   EXPECT_EQ(left.state, "the state\nin two lines");
-  ASSERT_EQ(left.frames.size(), 2U);
-  EXPECT_EQ(left.frames[1].x, frame(2).x);
-  EXPECT_EQ(left.frames[1].volume, frame(2).volume);
-  EXPECT_EQ(left.frames[1].material, frame(2).material);
+  EXPECT_EQ(left.frames, 2);
+  const auto frames = shown(again);
+  ASSERT_EQ(frames.size(), 2U);
+  EXPECT_EQ(frames[1].x, frame(2).x);
+  EXPECT_EQ(frames[1].volume, frame(2).volume);
+  EXPECT_EQ(frames[1].material, frame(2).material);
 
-  again.go_on();
   again.add(frame(4));
   again.keep("later", 3);
-  const auto later = checkpoint().read();
-  EXPECT_EQ(later.state, "later");
-  ASSERT_EQ(later.frames.size(), 3U);
-  EXPECT_EQ(later.frames[2].x, frame(4).x);
+  RunCheckpoint later = checkpoint();
+  EXPECT_EQ(later.read().state, "later");
+  const auto all = shown(later);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[2].x, frame(4).x);
 }
 
 TEST_F(RunCheckpointTest, ACheckpointBeforeTheFirstFrameIsSound) {
@@ -88,10 +97,10 @@ TEST_F(RunCheckpointTest, ACheckpointBeforeTheFirstFrameIsSound) {
   run.keep("state", 0);
   RunCheckpoint again = checkpoint();
   EXPECT_EQ(again.read().state, "state");
-  again.go_on();
+  EXPECT_TRUE(shown(again).empty());
   again.add(frame(1));
   again.keep("next", 1);
-  EXPECT_EQ(checkpoint().read().frames.size(), 1U);
+  EXPECT_EQ(checkpoint().read().frames, 1);
 }
 
 TEST_F(RunCheckpointTest, OfAnotherCaseOrVersionIsRefused) {
@@ -143,10 +152,10 @@ TEST_F(RunCheckpointTest, IsHandedOverToAnotherTry) {
   EXPECT_FALSE(hand_over_checkpoint(folder.path(), folder.path() / "next"));
   leave_one();
   EXPECT_TRUE(hand_over_checkpoint(folder.path(), folder.path() / "next"));
-  EXPECT_EQ(checkpoint().read().frames.size(), 2U) << "the first stands until it is removed";
+  EXPECT_EQ(checkpoint().read().frames, 2) << "the first stands until it is removed";
   remove_checkpoint(folder.path());
   EXPECT_TRUE(checkpoint().read().state.empty());
-  EXPECT_EQ(RunCheckpoint(folder.path() / "next", "abc", "1").read().frames.size(), 2U);
+  EXPECT_EQ(RunCheckpoint(folder.path() / "next", "abc", "1").read().frames, 2);
 }
 
 }  // namespace

@@ -29,16 +29,19 @@ TEST(WholeFile, ReplacesAndLeavesNothingBesideIt) {
   write_whole(file, "first, longer");
   write_durably(file, "second");
   EXPECT_EQ(read(file), "second");
-  append_to_file(file, ", third");
+  append_to_file(file, ", ", "third");
   EXPECT_EQ(read(file), "second, third");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
 TEST(WholeFile, WhatCannotBeWrittenIsNamedWithItsCause) {
   const tests::TemporaryFolder folder;
-  for (const auto& write : {write_whole, write_durably, append_to_file}) {
+  using Write = void (*)(const fs::path&);
+  for (const Write write : {Write([](const fs::path& f) { write_whole(f, "text"); }),
+                            Write([](const fs::path& f) { write_durably(f, "te", "xt"); }),
+                            Write([](const fs::path& f) { append_to_file(f, "text"); })}) {
     try {
-      write(folder.path() / "missing" / "a.txt", "text");
+      write(folder.path() / "missing" / "a.txt");
       FAIL() << "it was written";
     } catch (const FileError& error) {
       EXPECT_NE(std::string(error.what()).find("missing/a.txt"), std::string::npos);

@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# The load on a server: 10 000 sections in one job, and many requests while its workers are busy.
+#   tests/bench/load.sh [BUILD]      BUILD: folder of the leda executable, default build/release
+# Prints a table; needs curl, jq and wrk. Everything stays on the loopback interface.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+leda=$PWD/${1:-build/release}/leda
+sections=${LEDA_LOAD_SECTIONS:-10000}
+seconds=${LEDA_LOAD_SECONDS:-15}       # of each kind of request
+rounds=${LEDA_LOAD_ROUNDS:-8}          # of the last part, to see memory grow
+folder=$(mktemp -d)
+server=0
+trap '[[ $server == 0 ]] || kill -9 $server 2>/dev/null; rm -rf "$folder"' EXIT
+cd "$folder"
+
+# A bank of 12 m along the middle of 1 km x 0.6 km.
+awk 'BEGIN {
+  print "ncols 300\nnrows 500\nxllcorner 380000\nyllcorner 5113000\ncellsize 2\nNODATA_value -9999"
+  for (r = 0; r < 500; r++) {
+    for (c = 0; c < 300; c++) {
+      s = (2 * c + 1 - 300) / 20; s = s < 0 ? 0 : s > 1 ? 1 : s
+      printf "%.3f ", 20 - (11 + 2 * sin(r / 9)) * s
+    }
+    print ""
+  }
+}' >bank.asc
+
+# region NAME SECTIONS STRENGTH_KPA CELL_M
+region() {
+  jq -n --arg name "$1" --argjson sections "$2" --argjson strength "$3" --argjson cell "$4" '{inputs: {
+    name: $name, dem: "bank",
+    sections: {along: [[380300, 5113020], [380300, 5113980]], spacing_m: (960 / ($sections - 1)),
+               upslope_m: 100, downslope_m: 80},
+    soil: {base_m: 0, layers: [{material: "clay"}], materials: {clay: {
+      unit_weight_kN_m3: 17, shear_modulus_kPa: 3000, poisson_ratio: 0.45,
+      peak_strength_kPa: $strength, k0: 0.5,
+      softening: {law: "urmi", alpha: 0.95, beta: 2.8, residual_strain: 1.8,
+                  remolded_strength_kPa: 1, reference_size_m: 0.014}}}},
+    resolution: {cell_m: $cell, particles_per_cell: 4},
+    screening: {skip_stable: true}}}'
+}
+
+timed() { # NAME COMMAND...: a row with the seconds it took
+  local name=$1 begin end
+  shift
+  begin=$(date +%s.%N)
+  "$@"
+  end=$(date +%s.%N)
+  awk -v name="$name" -v begin="$begin" -v end="$end" \
+    'BEGIN {printf "| %s | %.2f s |\n", name, end - begin}'
+}
+memory_mb() { awk '/VmRSS/ {printf "%.1f", $2 / 1024}' "/proc/$server/status"; }
+get() { curl -sSf -o /dev/null "$@"; }
+submit() { curl -sSf -H 'Content-Type: application/json' -d @"$1" "$url/processes/map-region/execution" -o "$2"; }
+finished() { until [[ $(curl -s "$url/jobs/$1" | jq -r .status) == successful ]]; do sleep 0.2; done; }
+all_pages() {
+  local next="$url/collections/sections/items?job=$1&limit=1000"
+  while [[ -n $next ]]; do next=$(curl -sSf "$next" | jq -r '.links[] | select(.rel == "next").href'); done
+}
+wrk_row() { # NAME CONNECTIONS PATH
+  wrk -t2 -c"$2" -d"${seconds}s" --latency "$url$3" >wrk.txt
+  if grep -q 'Non-2xx\|Socket errors' wrk.txt; then cat wrk.txt >&2; exit 1; fi
+  printf '| %s | %s | %s | %s | %s |\n' "$1" "$2" "$(awk '/Requests\/sec/ {print $2}' wrk.txt)" \
+    "$(awk '$1 == "50%" {print $2}' wrk.txt)" "$(awk '$1 == "99%" {print $2}' wrk.txt)"
+}
+
+"$leda" serve --data data --listen 127.0.0.1:0 --workers 2 2>server.log >server.out &
+server=$!
+until [[ -s data/server.json ]]; do sleep 0.1; done
+url=$(jq -r .url data/server.json)
+get --data-binary @bank.asc "$url/rasters?name=bank&epsg=2950&vertical_unit=m"
+
+echo "$(date -u +%F), $(grep -m1 'model name' /proc/cpuinfo | cut -d: -f2 | xargs), $(nproc) cores, $("$leda" --version)"
+echo
+echo "One job of $sections sections, all of them stable by screening:"
+echo
+echo '| what | time |'
+echo '|---|---|'
+region many "$sections" 200 2 >many.json
+timed 'submit (laid out, checked, stored)' submit many.json many.out
+many=$(jq -r .jobID many.out)
+timed 'until the job is done (screened, zones)' finished "$many"
+timed 'list of sections, one page of 10 000' get "$url/jobs/$many/sections"
+timed 'all features in pages of 1000' all_pages "$many"
+timed 'results as JSON' get "$url/jobs/$many/results"
+for format in gpkg geojson fgb shp; do
+  timed "export as $format" get "$url/jobs/$many/export?f=$format"
+done
+
+region busy 200 40 1 >busy.json
+submit busy.json busy.out
+busy=$(jq -r .jobID busy.out)
+until [[ $(curl -s "$url/jobs/$busy" | jq -r .status) == running ]]; do sleep 0.2; done
+echo
+echo "Requests while both workers compute:"
+echo
+echo '| request | connections | requests/s | p50 | p99 |'
+echo '|---|---|---|---|---|'
+for connections in 4 32; do
+  wrk_row 'job status' $connections "/jobs/$busy"
+  wrk_row 'items, 10' $connections "/collections/sections/items?job=$many&limit=10"
+  wrk_row 'items, 100' $connections "/collections/sections/items?job=$many&limit=100"
+  wrk_row 'items, 1000' $connections "/collections/sections/items?job=$many&limit=1000"
+done
+
+# The longest time the status of a job takes while pages of 10 000 are read one after the other.
+(while :; do get "$url/jobs/$many/sections" || true; done) &
+pages=$!
+longest=0
+for _ in $(seq 100); do
+  took=$(curl -s -o /dev/null -w '%{time_total}' "$url/jobs/$busy")
+  longest=$(printf '%s\n' "$took" "$longest" | sort -g | tail -1)
+done
+kill $pages
+echo
+echo "Slowest of 100 job states while a page of 10 000 sections is always being read: $longest s."
+
+echo
+echo "Memory of the server while requests go on (status and items in turn):"
+echo
+echo '| requests | resident, MB |'
+echo '|---|---|'
+total=0
+for _ in $(seq "$rounds"); do
+  for path in "/jobs/$busy" "/collections/sections/items?job=$many&limit=100"; do
+    wrk -t2 -c16 -d"${seconds}s" "$url$path" >wrk.txt
+    total=$((total + $(awk '/requests in/ {print $1}' wrk.txt)))
+  done
+  echo "| $total | $(memory_mb) |"
+done
+[[ $(curl -s "$url/jobs/$busy" | jq -r .status) == running ]] || echo "the workers were idle at the end: take more sections" >&2
