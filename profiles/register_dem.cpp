@@ -133,17 +133,17 @@ RegisteredDem register_dem(const fs::path& input, const fs::path& output,
     cells->FlushCache();
     write_cog(*cells, cog.path());
   }
-  fs::rename(cog.path(), output);
-
+  // Read back before it takes its place: what cannot be read again was never registered.
   RegisteredDem registered;
   registered.info =
-      Dem::open(output, {.vertical_unit = "", .epsg = 0, .limits = options.limits}).info();
-  registered.sha256 = sha256_of_file(output);
-  registered.bytes = static_cast<std::int64_t>(fs::file_size(output));
+      Dem::open(cog.path(), {.vertical_unit = "", .epsg = 0, .limits = options.limits}).info();
+  registered.sha256 = sha256_of_file(cog.path());
+  registered.bytes = static_cast<std::int64_t>(fs::file_size(cog.path()));
   registered.lowest_m = extent.lowest_m;
   registered.highest_m = extent.highest_m;
   registered.share_with_data = static_cast<double>(extent.with_data) /
                                (static_cast<double>(dem.info().width) * dem.info().height);
+  fs::rename(cog.path(), output);
   return registered;
 }
 
