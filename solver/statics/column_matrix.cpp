@@ -28,7 +28,7 @@ std::vector<std::size_t> block_starts(const std::vector<std::int32_t>& first) {
 
 ColumnMatrix::ColumnMatrix(const std::vector<std::int32_t>& first)
     : first_(first), start_(block_starts(first)) {
-  value_.assign(start_.back(), 0.0);
+  value_.assign(start_.back(), 0.0F);
   column_of_.resize(static_cast<std::size_t>(first_.back()));
   for (std::size_t c = 0; c < columns(); ++c) {
     std::fill(column_of_.begin() + first_[c], column_of_.begin() + first_[c + 1],
@@ -37,7 +37,7 @@ ColumnMatrix::ColumnMatrix(const std::vector<std::int32_t>& first)
 }
 
 double ColumnMatrix::bytes(const std::vector<std::int32_t>& first) {
-  return static_cast<double>(block_starts(first).back()) * sizeof(double);
+  return static_cast<double>(block_starts(first).back()) * sizeof(float);
 }
 
 ColumnMatrix::Block ColumnMatrix::block(std::size_t row, std::size_t column) {
@@ -53,20 +53,20 @@ void ColumnMatrix::add(std::int32_t row, std::int32_t column, double value) {
   const auto r = static_cast<std::size_t>(column_of_[static_cast<std::size_t>(row)]);
   const auto c = static_cast<std::size_t>(column_of_[static_cast<std::size_t>(column)]);
   const auto at = static_cast<std::size_t>((column - first_[c]) * size(r) + (row - first_[r]));
-  value_[start_[c * (reach + 1) + r - c] + at] += value;
+  value_[start_[c * (reach + 1) + r - c] + at] += static_cast<float>(value);
 }
 
 bool ColumnMatrix::factorize() {
   for (std::size_t c = 0; c < columns(); ++c) {
     if (size(c) == 0) continue;
-    Eigen::Ref<Eigen::MatrixXd> diagonal = block(c, c);
-    Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> llt(diagonal);
+    Eigen::Ref<Eigen::MatrixXf> diagonal = block(c, c);
+    Eigen::LLT<Eigen::Ref<Eigen::MatrixXf>> llt(diagonal);
     if (llt.info() != Eigen::Success) return false;
     const std::size_t last = std::min(c + reach, columns() - 1);
     for (std::size_t r = c + 1; r <= last; ++r) {
       Block below = block(r, c);
       llt.matrixL().transpose().solveInPlace<Eigen::OnTheRight>(below);
-      block(r, r).selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0);
+      block(r, r).selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0F);
       for (std::size_t m = c + 1; m < r; ++m) {
         block(r, m).noalias() -= below * block(m, c).transpose();
       }
@@ -75,7 +75,8 @@ bool ColumnMatrix::factorize() {
   return true;
 }
 
-void ColumnMatrix::solve(Vector& x) const {
+void ColumnMatrix::solve(Vector& solution) const {
+  Eigen::VectorXf x = solution.cast<float>();
   const auto part = [&](std::size_t c) { return x.segment(first_[c], size(c)); };
   for (std::size_t c = 0; c < columns(); ++c) {
     for (std::size_t m = c > reach ? c - reach : 0; m < c; ++m) {
@@ -91,6 +92,7 @@ void ColumnMatrix::solve(Vector& x) const {
     auto own = part(c);
     block(c, c).transpose().triangularView<Eigen::Upper>().solveInPlace(own);
   }
+  solution = x.cast<double>();
 }
 
 }  // namespace leda::solver
