@@ -19,23 +19,28 @@ Section long_bank() {
 }
 
 Seeded run_for(double seconds) {
-  const Section section = long_bank();
-  RunSettings settings = test::coarse();
-  settings.stop.max_time_s = seconds;
-  const Listener listener;
-  RunState run;
-  run.section = &section;
-  run.settings = &settings;
-  run.listener = &listener;
-  run.seeded = seed_particles(section, settings.resolution);
-  run.bank = {section.ground[1], section.ground[2]};
-  run.ground = surface(run.seeded);
+  Bank bank;
+  bank.settings.stop.max_time_s = seconds;
+  RunState run = bank.start();
   find_initial_stress(run);
   if (seconds > 0) run_stage(run, StageClock::Stage::softening);
   return run.seeded;
 }
 
 }  // namespace
+
+Bank::Bank() : section(long_bank()), settings(test::coarse()) {}
+
+RunState Bank::start() const {
+  RunState run;
+  run.section = &section;
+  run.settings = &settings;
+  run.listener = &listener_;
+  run.seeded = seed_particles(section, settings.resolution);
+  run.bank = {section.ground[1], section.ground[2]};
+  run.ground = surface(run.seeded);
+  return run;
+}
 
 Seeded bank_after(double seconds) {
   static std::map<double, Seeded> known;

@@ -1,12 +1,26 @@
 #pragma once
 // The bank the benchmarks of the solver step.
 
-#include "solver/seed_particles.hpp"
+#include "solver/run_state.hpp"
 
 namespace leda::solver::bench {
 
 /// A bank like Sainte-Monique's (thesis, chapter 4) at cells of 1 m: 17 m high over 5 m of the same
-/// clay, 150 m of plateau, 60 m of floor. `seconds` after softening is on; 0: at rest.
+/// clay, 150 m of plateau, 60 m of floor.
+class Bank {
+ public:
+  Bank();
+  /// Seeded, before the initial stress is found. It refers to this object.
+  RunState start() const;
+
+  Section section;
+  RunSettings settings;
+
+ private:
+  Listener listener_;
+};
+
+/// The bank `seconds` after softening is on; 0: at rest.
 Seeded bank_after(double seconds);
 
 }  // namespace leda::solver::bench

@@ -13,8 +13,10 @@ namespace {
 // to 1.5 kPa with eta = 5. Their nearly incompressible water (200 MPa at a porosity of 0.4) on a
 // skeleton of E = 25 MPa and nu = 0.3 is an undrained Poisson's ratio of 0.49. Their strain is
 // sqrt(2/3 e:e), the engineering shear strain sqrt(3) times that: eta = 5 / sqrt(3) here.
-// Of the published L = 21.6 m, R = 14.0 m and 3 slides only L comes within the 25 %; README.md has
-// what R and the slides depend on.
+// Of the published numbers L = 21.6 m and R = 14.0 m are held to the 25 % of the case's file, the
+// band of one code against another. The cell is 0.1 m, the distance of their particles: nothing
+// spreads the softening over a length, so the width of a band is the cell's, and coarser cells let
+// fewer blocks come off (README.md, "Other cells and ratios").
 Section slope() {
   Section s;
   s.name = "Del Castillo et al. 2026";
@@ -41,14 +43,15 @@ Section slope() {
   return s;
 }
 
-TEST(DelCastillo, RunoutOfTheirSlope) {
+TEST(DelCastillo, RunoutAndRetrogressionOfTheirSlope) {
   RunSettings settings;
-  settings.resolution.cell_m = 0.25;
+  settings.resolution.cell_m = 0.1;
   settings.stop.max_time_s = 20;
   const SectionResult r = simulate(slope(), settings);
   leda::test::record("L ", r.runout_m, " m, R ", r.crest_to_crest_retrogression_m, " m, slides ",
                      r.slides);
   EXPECT_NEAR(r.runout_m, 21.6, 0.25 * 21.6);
+  EXPECT_NEAR(r.crest_to_crest_retrogression_m, 14.0, 0.25 * 14.0);
 }
 
 }  // namespace
