@@ -21,10 +21,7 @@ constexpr const char* left_model = "a particle left the model";
 
 std::optional<StageEnd> keep_sorted(RunState& run, PackedStage& stage) {
   if (run.travel <= most_travel * run.seeded.grid.h && !is_untidy(stage)) return {};
-  if (!rearrange(stage.packs, stage.grid)) {
-    return StageEnd{StageEnd::Why::left_domain, left_model};
-  }
-  stage.strayed = 0;
+  if (!tidy_up(stage)) return StageEnd{StageEnd::Why::left_domain, left_model};
   run.travel = 0;
   return {};
 }
@@ -88,7 +85,8 @@ std::optional<StageEnd> advance(RunState& run, const LawTable& laws, double damp
   run.travel += run.fastest * dt;
   run.time += dt;
   ++run.steps;
-  run.particle_steps += static_cast<double>(run.seeded.particles.count);
+  run.particle_steps +=
+      static_cast<double>(run.packed ? run.packed->stepped : run.seeded.particles.count);
   if (left_grid) return StageEnd{StageEnd::Why::left_domain, left_model};
   return check(run, sums, dt, move);
 }

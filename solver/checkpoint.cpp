@@ -7,7 +7,7 @@ namespace leda::solver {
 
 namespace {
 
-constexpr std::uint64_t format = 0x4c454441'00000002;  // "LEDA", 2
+constexpr std::uint64_t format = 0x4c454441'00000003;  // "LEDA", 3
 
 class Writer {
  public:
@@ -125,13 +125,17 @@ void transfer_packs(Archive& archive, Stage& stage) {
   archive(stage.grid.top);
   archive(stage.strayed);
   archive(stage.kept);
+  archive(stage.rest);
+  archive(stage.steps);
+  archive(stage.wakes);
 }
 
 // Whether saved packs are packs of these particles on this grid.
 bool packs_fit(const PackedStage& stage, const Particles& particles) {
   const Packs& packs = stage.packs;
   if (packs.count != particles.count || packs.place.size() != packs.pack.size() ||
-      packs.motion.size() != packs.pack.size() || stage.grid.top.size() != stage.grid.columns) {
+      packs.motion.size() != packs.pack.size() || stage.grid.top.size() != stage.grid.columns ||
+      stage.rest.size() != groups_of(stage.grid)) {
     return false;
   }
   for (std::size_t i = 0; i < packs.pack.size(); ++i) {

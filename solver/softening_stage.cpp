@@ -103,15 +103,17 @@ StageEnd run_steps(RunState& run) {
   const double frames = run.settings->output.frame_interval_s;
   while (run.time < run.settings->stop.max_time_s) {
     if (auto end = advance(run, run.seeded.laws, run.settings->damping.dynamic, true)) return *end;
-    if (run.packed && run.packed->kept) {
+    const bool frame_due = frames > 0 && run.time >= run.clock.next_frame;
+    const bool look_due = run.time >= run.clock.next_look;
+    if (run.packed && (frame_due || look_due || run.time >= run.settings->stop.max_time_s)) {
       unpack(run.packed->packs, run.packed->grid, run.seeded.particles);
     }
-    if (frames > 0 && run.time >= run.clock.next_frame) {
+    if (frame_due) {
       if (auto end = keep_good(run)) return *end;
       show_frame(run);
       run.clock.next_frame += frames;
     }
-    if (run.time < run.clock.next_look) continue;
+    if (!look_due) continue;
     run.clock.next_look += run.slides.look_interval_s();
     look(run);
     if (auto end = check_plastic_work(run)) return *end;

@@ -192,10 +192,15 @@ bool rearrange(Packs& packs, PackGrid& grid) {
 }
 
 void find_groups(Packs& packs, const PackGrid& grid) {
-  const std::size_t groups = (grid.columns + columns_of_a_group - 1) / columns_of_a_group;
+  const std::size_t groups = groups_of(grid);
   packs.group.assign(groups + 1, packs.place.size());
+  packs.group_points.assign(groups, 0);
   for (std::size_t i = packs.place.size(); i-- > 0;) {
-    packs.group[packs.place[i].column / columns_of_a_group] = i;
+    const std::size_t g = packs.place[i].column / columns_of_a_group;
+    packs.group[g] = i;
+    for (const std::int32_t particle : packs.pack[i].particle) {
+      if (particle >= 0) ++packs.group_points[g];
+    }
   }
   for (std::size_t g = groups; g-- > 0;) {
     packs.group[g] = std::min(packs.group[g], packs.group[g + 1]);

@@ -32,6 +32,11 @@ struct PackGrid {
   }
 };
 
+/// Groups of columns there are.
+inline std::size_t groups_of(const PackGrid& grid) {
+  return (grid.columns + columns_of_a_group - 1) / columns_of_a_group;
+}
+
 PackGrid make_pack_grid(const Grid& grid);
 
 /// The momentum balance on the nodes of columns `first` to `last` - 1, as update_velocity does it

@@ -201,6 +201,7 @@ HWY_INLINE bool gather(D d, const Pack& p, const PackPlace& place, std::size_t l
 template <class D>
 struct LaneSums {
   hn::Vec<D> work, px, pz, fastest;
+  bool yields;
 };
 
 // Second pass: stress, plastic strain, volume, position.
@@ -219,6 +220,7 @@ HWY_INLINE void update(D d, Pack& p, std::size_t l, const PackLaws& laws, const 
   const auto gamma = hn::Load(d, p.plastic_strain + l);
   const auto next = next_stress<false>(d, law_rows(d, p.law + l), laws, old, gamma, strain, spin,
                                        hn::Set(d, scale.dt));
+  sums.yields = sums.yields || next.yields;
   if (next.yields) {  // Kahan's sum: what rounding takes now is added with the next step
     const auto more = hn::Sub(next.plastic_strain, hn::Load(d, p.plastic_rest + l));
     const auto sum = hn::Add(gamma, more);
@@ -271,14 +273,16 @@ struct BlockSums {
   }
 };
 
-HWY_NOINLINE void update_block(Pack* packs, std::size_t count, const PackLaws& laws,
+// Whether a point has yielded.
+HWY_NOINLINE bool update_block(Pack* packs, std::size_t count, const PackLaws& laws,
                                const StepScales& scale, const Between& between,
                                ParticleSums& sums) {
   const Lanes d;
   BlockSums block_sums;
+  bool yields = false;
   for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
     const auto zero = hn::Zero(d);
-    LaneSums<Lanes> lane{zero, zero, zero, zero};
+    LaneSums<Lanes> lane{zero, zero, zero, zero, false};
     for (std::size_t i = 0; i < count; ++i) {
       update(d, packs[i], l, laws, scale, between.value[i], lane);
     }
@@ -286,8 +290,10 @@ HWY_NOINLINE void update_block(Pack* packs, std::size_t count, const PackLaws& l
     hn::Store(lane.px, d, block_sums.px + l);
     hn::Store(lane.pz, d, block_sums.pz + l);
     hn::Store(lane.fastest, d, block_sums.fastest + l);
+    yields = yields || lane.yields;
   }
   block_sums.add_to(sums);
+  return yields;
 }
 
 HWY_NOINLINE bool gather_block(const Packs& packs, std::size_t first, std::size_t count,
@@ -330,7 +336,9 @@ PackSums StepPacks(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt
   for (std::size_t first = begin; first < end; first += block) {
     const std::size_t count = std::min(block, end - first);
     inside = gather_block(packs, first, count, grid, between) && inside;
-    update_block(&packs.pack[first], count, laws, scale, between, total.particles);
+    const bool yields =
+        update_block(&packs.pack[first], count, laws, scale, between, total.particles);
+    total.yields = total.yields || yields;
     inside = spread_block(packs, first, count, keep, grid, between, total.strayed) && inside;
   }
   total.left_grid = !inside;

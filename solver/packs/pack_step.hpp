@@ -12,6 +12,7 @@ struct PackSums {
   ParticleSums particles;   ///< momentum_x is left out
   std::size_t strayed = 0;  ///< points outside their home cell after the step
   bool left_grid = false;   ///< a point has gone where there are no nodes
+  bool yields = false;      ///< a point has yielded in the step
 };
 
 /// Adds the points of packs `first` to `last` - 1 to the sums of the grid.

@@ -30,6 +30,46 @@ void add(const GridSums& nodes, const ParticleSums& points, StepSums& sums) {
   sums.particles.fastest_squared = std::max(sums.particles.fastest_squared, points.fastest_squared);
 }
 
+constexpr std::int64_t steps_between_decisions = 32;
+
+double width(const PackedStage& stage) {
+  return static_cast<double>(columns_of_a_group) * stage.grid.h;
+}
+
+// Resting packs of group g that moving ground on the right feels; none are felt on the left, since
+// a point gives to its own column of nodes and the two after it.
+std::size_t first_felt(const PackedStage& stage, std::size_t g) {
+  const auto& group = stage.packs.group;
+  if (g + 1 >= stage.rest.size() || stage.rest[g + 1].rests) return group[g + 1];
+  std::size_t first = group[g + 1];
+  const std::size_t column = (g + 1) * columns_of_a_group - 2;
+  while (first > group[g] && stage.packs.place[first - 1].column >= column) --first;
+  return first;
+}
+
+void spread_group(PackedStage& stage, std::size_t g) {
+  const std::size_t first = stage.rest[g].rests ? first_felt(stage, g) : stage.packs.group[g];
+  spread(stage.packs, stage.grid, first, stage.packs.group[g + 1]);
+}
+
+// What rests has no velocity, at its points and at its nodes.
+void still(PackedStage& stage) {
+  PackGrid& grid = stage.grid;
+  for (std::size_t g = 0; g < stage.rest.size(); ++g) {
+    if (!stage.rest[g].rests) continue;
+    const auto& group = stage.packs.group;
+    for (std::size_t i = group[g]; i < group[g + 1]; ++i) stage.packs.motion[i] = {};
+    const std::size_t first = g * columns_of_a_group;
+    const std::size_t last = std::min(first + columns_of_a_group, grid.columns);
+    std::fill_n(&grid.velocity[first * 2 * grid.stride], (last - first) * 2 * grid.stride, Real{0});
+  }
+}
+
+void spread_anew(PackedStage& stage) {
+  std::fill(stage.grid.sums.begin(), stage.grid.sums.end(), Real{0});
+  spread_all(stage);
+}
+
 }  // namespace
 
 bool packs_can_run(const Grid& grid, const LawTable& laws) {
@@ -42,25 +82,26 @@ std::optional<PackedStage> begin_packed_stage(const Particles& particles, const 
   stage.grid = make_pack_grid(grid);
   stage.laws = pack_laws(laws);
   if (!pack(particles, stage.grid, stage.packs)) return {};
+  stage.rest.assign(stage.packs.group.size() - 1, GroupRest{});
   spread_all(stage);
   return stage;
 }
 
 void spread_all(PackedStage& stage) {
-  const auto& group = stage.packs.group;
   for (const std::size_t first : {0, 1}) {
-    for (std::size_t g = first; g + 1 < group.size(); g += 2) {
-      spread(stage.packs, stage.grid, group[g], group[g + 1]);
-    }
+    for (std::size_t g = first; g < stage.rest.size(); g += 2) spread_group(stage, g);
   }
 }
 
 StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team& team,
               bool& left_grid) {
   const auto& group = stage.packs.group;
-  const std::size_t groups = group.size() - 1;
+  const std::size_t groups = stage.rest.size();
+  const bool decides = ++stage.steps % steps_between_decisions == 0 || stage.wakes;
+  stage.kept = keep || decides;
   std::vector<GridSums> nodes(groups);
   team.run(groups, [&](std::size_t g) {
+    if (stage.rest[g].rests) return;
     const std::size_t first = std::max<std::size_t>(1, g * columns_of_a_group);
     const std::size_t last = std::min((g + 1) * columns_of_a_group, stage.grid.columns - 1);
     const GridStep grid_step{settings.dt, settings.gravity, settings.damping};
@@ -70,26 +111,43 @@ StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team&
   for (const std::size_t first : {0, 1}) {  // neighbours share nodes, so they wait for each other
     team.run((groups + 1 - first) / 2, [&](std::size_t i) {
       const std::size_t g = first + 2 * i;
-      points[g] = step_packs(stage.packs, stage.grid, stage.laws, settings.dt, keep, group[g],
+      if (stage.rest[g].rests) return spread_group(stage, g);
+      points[g] = step_packs(stage.packs, stage.grid, stage.laws, settings.dt, stage.kept, group[g],
                              group[g + 1]);
     });
   }
   StepSums sums;
   left_grid = false;
+  stage.stepped = 0;
   for (std::size_t g = 0; g < groups; ++g) {
+    if (!stage.rest[g].rests) stage.stepped += stage.packs.group_points[g];
     add(nodes[g], points[g].particles, sums);
     stage.strayed += points[g].strayed;
     left_grid = left_grid || points[g].left_grid;
   }
-  stage.kept = keep;
+  stage.wakes = observe(stage.rest, points, settings.dt, width(stage));
+  if (decides && !left_grid && decide(stage.rest, width(stage))) {
+    still(stage);
+    spread_anew(stage);
+    stage.wakes = false;
+  }
   return sums;
+}
+
+bool tidy_up(PackedStage& stage) {
+  if (!rearrange(stage.packs, stage.grid)) return false;
+  stage.strayed = 0;
+  still(stage);
+  return true;
 }
 
 bool is_untidy(const PackedStage& stage) {
   return stage.strayed * share_that_strays > stage.packs.count;
 }
 
-Balances transfer_balance(const PackedStage& stage) {
+Balances transfer_balance(PackedStage& stage) {
+  stage.rest.assign(stage.rest.size(), GroupRest{});
+  spread_anew(stage);
   double node[3] = {}, mass = 0, x = 0, z = 0, size = 0;
   for (std::size_t column = 0; column < stage.grid.columns; ++column) {
     for (std::size_t v = 0; v < 3; ++v) node[v] += plane_sum(stage.grid, column, v);

@@ -5,6 +5,7 @@
 
 #include "solver/packs/arrange.hpp"
 #include "solver/packs/pack_step.hpp"
+#include "solver/packs/rest.hpp"
 #include "solver/packs/team.hpp"
 #include "solver/section/section_result.hpp"
 #include "solver/step.hpp"
@@ -15,8 +16,12 @@ struct PackedStage {
   Packs packs;
   PackGrid grid;
   PackLaws laws;
-  std::size_t strayed = 0;  ///< points outside the cell they were arranged into, step by step
-  bool kept = false;        ///< the last step kept the motion
+  std::size_t strayed = 0;      ///< points outside the cell they were arranged into, step by step
+  bool kept = false;            ///< the last step kept the motion
+  std::vector<GroupRest> rest;  ///< of the groups of columns
+  std::int64_t steps = 0;
+  std::size_t stepped = 0;  ///< points that the last step moved
+  bool wakes = false;       ///< ground at rest has to be woken
 };
 
 /// Whether packs can run these laws on this grid: no rate, no flow, nothing averaged.
@@ -26,20 +31,26 @@ bool packs_can_run(const Grid& grid, const LawTable& laws);
 std::optional<PackedStage> begin_packed_stage(const Particles& particles, const Grid& grid,
                                               const LawTable& laws);
 
-/// Adds all points to the sums, in the order in which a step does.
+/// Adds all points to the sums, in the order in which a step does; of ground at rest those that
+/// moving ground feels.
 /// @pre packs.motion holds their motion
 void spread_all(PackedStage& stage);
 
-/// step() of a moving stage, on packs. `keep`: the motion can be read afterwards.
+/// step() of a moving stage, on packs. `keep`: the motion can be read afterwards. Every 32nd step
+/// keeps it too, and lays to rest the ground that has come to rest.
 /// @pre no point has moved by more than a cell since the packs were arranged
 StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team& team,
               bool& left_grid);
 
+/// Puts every point into the cell it has moved to. The motion is not kept.
+/// @return false where a point has left the grid; nothing is changed then
+bool tidy_up(PackedStage& stage);
+
 /// Whether so many points have strayed that arranging them anew is the cheaper way on.
 bool is_untidy(const PackedStage& stage);
 
-/// Relative difference of mass and momentum between points and nodes.
+/// Relative difference of mass and momentum between points and nodes. Wakes all ground.
 /// @pre the last step kept the motion
-Balances transfer_balance(const PackedStage& stage);
+Balances transfer_balance(PackedStage& stage);
 
 }  // namespace leda::solver

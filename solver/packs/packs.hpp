@@ -57,6 +57,7 @@ struct Packs {
   /// First pack of each group of columns, and the end. What the packs of one group give to the
   /// nodes touches the group's neighbours and no group beyond.
   std::vector<std::size_t> group;
+  std::vector<std::size_t> group_points;  ///< points of each group
 };
 
 /// The law table in single precision, without rate and flow.
