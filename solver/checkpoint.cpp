@@ -1,5 +1,6 @@
 #include "solver/checkpoint.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <type_traits>
 
@@ -146,10 +147,8 @@ bool packs_fit(const PackedStage& stage, const Particles& particles) {
       if (particle >= static_cast<std::int32_t>(particles.count)) return false;
     }
   }
-  for (const std::size_t top : stage.grid.top) {
-    if (top > stage.grid.rows) return false;
-  }
-  return true;
+  return std::ranges::all_of(stage.grid.top,
+                             [&](std::size_t top) { return top <= stage.grid.rows; });
 }
 
 }  // namespace

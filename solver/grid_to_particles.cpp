@@ -10,8 +10,7 @@
 #include "solver/spline-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace leda::solver {
-namespace HWY_NAMESPACE {
+namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Sums over the three columns, for three nodes of a column and two axes (6 of 8 places).
@@ -65,7 +64,7 @@ HWY_INLINE Motion<D> motion_at(D d, const ParticleSpline<D>& at, std::size_t slo
   const auto lane8 = hn::ShiftLeft<3>(hn::Iota(hn::RebindToSigned<D>(), 0));
   const auto zero = hn::Zero(d);
   Motion<D> m{zero, zero, zero, zero, zero, zero, zero, zero, zero, zero};
-  for (int j = 0; j < 3; ++j) {
+  for (std::size_t j = 0; j < 3; ++j) {
     const auto wz = at.wz[j], dz = at.dz[j], slope = at.slope_z[j];
     const auto x = hn::GatherIndex(d, s.plain[slot] + j * 2, lane8);
     const auto z = hn::GatherIndex(d, s.plain[slot] + j * 2 + 1, lane8);
@@ -181,7 +180,7 @@ template <bool Average, bool Viscous>
 HWY_INLINE ParticleSums all_to_particles(Particles& p, Grid& grid, const LawTable& laws, double dt,
                                          bool move) {
   const hn::CappedTag<double, 8> d;
-  G2pScratch s;
+  G2pScratch s{};
   if constexpr (Average) {
     for_each_vector(d, p, grid, s, [&](std::size_t i, std::size_t slot) {
       add_dilation(d, p, i, slot, grid, s, dt);
@@ -205,8 +204,7 @@ ParticleSums GridToParticles(Particles& p, Grid& grid, const LawTable& laws, dou
                  : all_to_particles<false, false>(p, grid, laws, dt, move);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace leda::solver
+}  // namespace leda::solver::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -1,6 +1,7 @@
 #pragma once
 // The last state of a run that passed every check: what an unstable run ends with.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,7 +26,7 @@ class LastGood {
 
  private:
   static constexpr std::size_t shown = 10;
-  std::vector<float> values_[shown];
+  std::array<std::vector<float>, shown> values_;
   std::vector<std::int32_t> id_;
   double time_s_ = 0;
 };

@@ -9,8 +9,7 @@
 #include "solver/spline-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace leda::solver {
-namespace HWY_NAMESPACE {
+namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Values a node takes from a particle: mass, momentum x z, force x z. A row of three nodes of one
@@ -51,7 +50,7 @@ HWY_INLINE void spread(D d, const Particles& p, std::size_t i, std::size_t slot,
   const auto fxx = hn::Mul(volume, sxx), fzz = hn::Mul(volume, szz);
   const auto fxz = hn::Mul(volume, hn::LoadU(d, &p.sxz[i]));
   const auto lane16 = hn::ShiftLeft<4>(hn::Iota(hn::RebindToSigned<D>(), 0));
-  for (int j = 0; j < 3; ++j) {
+  for (std::size_t j = 0; j < 3; ++j) {
     const auto wz = at.wz[j], dz = at.dz[j], slope = at.slope_z[j];
     double* plain = s.plain[slot] + j * 5;
     double* sloped = s.sloped[slot] + j * 5;
@@ -89,7 +88,7 @@ HWY_INLINE void all_to_grid(const Particles& p, Grid& grid) {
   const hn::CappedTag<double, 8> d;
   constexpr std::size_t n = hn::MaxLanes(hn::CappedTag<double, 8>());
   constexpr std::size_t parts = 16 / n;
-  P2gScratch s;
+  P2gScratch s{};
   std::fill(&s.plain[0][0], &s.plain[0][0] + block * 16, 0.0);
   std::fill(&s.sloped[0][0], &s.sloped[0][0] + block * 16, 0.0);
   using V = hn::Vec<decltype(d)>;
@@ -140,8 +139,7 @@ void ParticlesToGrid(const Particles& p, Grid& grid) {
   all_to_grid<true>(p, grid);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace leda::solver
+}  // namespace leda::solver::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

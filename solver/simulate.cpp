@@ -46,7 +46,7 @@ StageEnd trigger_and_run(RunState& run, std::string& used) {
   if (run.clock.stage != Stage::toe_cut) {
     used = excavation ? "excavation" : "undrained";
     if (excavation && !run.resumed) excavate(run, excavation->polygon);
-    const StageEnd end = run_stage(run, Stage::softening);
+    StageEnd end = run_stage(run, Stage::softening);
     keep_worst(run);
     const bool stands = end.why == StageEnd::Why::at_rest &&
                         !moved(measure(run.seeded, *run.section, run.bank, run.ground));
@@ -54,7 +54,7 @@ StageEnd trigger_and_run(RunState& run, std::string& used) {
     excavate(run, toe_cut(*run.section, run.bank, *undrained->then_toe_cut_m));
   }
   used = "toe-cut";
-  const StageEnd end = run_stage(run, Stage::toe_cut);
+  StageEnd end = run_stage(run, Stage::toe_cut);
   keep_worst(run);
   return end;
 }
@@ -87,13 +87,14 @@ void warn(const RunState& run, const Movement& m, std::vector<std::string>& warn
   const double left = run.section->ground.front().x, right = run.section->ground.back().x;
   const auto at_edge = [&](double x) { return x - left < near || right - x < near; };
   if ((m.retrogression_m > 0 || m.runout_m > 0) && at_edge(m.backscarp.x)) {
-    warnings.push_back("the backscarp reached the model's edge: retrogression is a lower bound");
+    warnings.emplace_back("the backscarp reached the model's edge: retrogression is a lower bound");
   }
   if (m.runout_m > 0 && at_edge(m.front.x)) {
-    warnings.push_back("the front reached the model's edge: runout is a lower bound");
+    warnings.emplace_back("the front reached the model's edge: runout is a lower bound");
   }
   if (m.far_side_dropped) {
-    warnings.push_back("ground beyond the toe slid too: lay a section of its own for the far bank");
+    warnings.emplace_back(
+        "ground beyond the toe slid too: lay a section of its own for the far bank");
   }
 }
 

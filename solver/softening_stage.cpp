@@ -131,7 +131,7 @@ StageEnd run_steps(RunState& run) {
 StageEnd run_stage(RunState& run, StageClock::Stage stage) {
   if (!run.team) run.team = std::make_shared<Team>(1);
   if (run.clock.stage != stage) begin(run, stage);
-  const StageEnd end = run_steps(run);
+  StageEnd end = run_steps(run);
   if (run.packed && run.packed->kept) run.packs_balance = transfer_balance(*run.packed);
   run.packed.reset();
   run.since_sort = 0;

@@ -11,8 +11,7 @@
 #include "solver/grid.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace leda::solver {
-namespace HWY_NAMESPACE {
+namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Sum `which` (1 pressure, 2 dilation) over volume, of the span whose lowest node is `node`.
@@ -25,8 +24,7 @@ HWY_INLINE hn::Vec<D> span_mean(D d, const Grid& grid, hn::Vec<hn::RebindToSigne
   return hn::Div(sum, hn::GatherIndex(d, grid.span.data(), first));
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace leda::solver
+}  // namespace leda::solver::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

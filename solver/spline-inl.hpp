@@ -10,8 +10,7 @@
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace leda::solver {
-namespace HWY_NAMESPACE {
+namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr std::size_t block = 64;  // particles whose scratch stays in the first-level cache
@@ -68,8 +67,7 @@ HWY_INLINE void store_columns(D d, const ParticleSpline<D>& at, double* wx, doub
   }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace leda::solver
+}  // namespace leda::solver::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -23,7 +23,7 @@ std::optional<Spread> spread_of(const std::vector<double>& values) {
   if (values.empty()) return std::nullopt;
   Spread spread;
   spread.count = values.size();
-  const double n = static_cast<double>(values.size());
+  const auto n = static_cast<double>(values.size());
   for (const double v : values) spread.mean += v / n;
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   spread.least = *least;
@@ -175,7 +175,7 @@ std::optional<double> pooled(const std::vector<SettingSummary>& settings,
     const auto& spread = s.*distance;
     const bool counts = s.is_reference || s.not_a_choice.empty();
     if (!counts || !spread || !spread->standard_deviation) continue;
-    const double own = static_cast<double>(spread->count - 1);
+    const auto own = static_cast<double>(spread->count - 1);
     squares += own * *spread->standard_deviation * *spread->standard_deviation;
     freedom += own;
   }

@@ -39,7 +39,7 @@ struct Calibration {
 /// Scales a law to a cell, in closed form and by root finding.
 /// @param shear_modulus_Pa G, for the check on snap-back alone
 /// @param cell_m > 0
-Calibration calibrate(const Softening& softening, double peak_strength_Pa, double shear_modulus_Pa,
+Calibration calibrate(const Softening& softening, double peak_Pa, double shear_modulus_Pa,
                       double cell_m);
 
 }  // namespace leda::solver

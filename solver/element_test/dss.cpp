@@ -88,9 +88,9 @@ SofteningCurve at_rate(const SofteningCurve& law, const Material& material, doub
   return moved;
 }
 
-double default_max_strain(const SofteningCurve& c, double shear_modulus_Pa) {
-  const double plastic = has_end(c) ? c.line_end : c.rate > 0 ? std::log(1e4) / c.rate : 0;
-  return std::max(1.05 * plastic, 5 * c.peak / shear_modulus_Pa);
+double default_max_strain(const SofteningCurve& law, double shear_modulus_Pa) {
+  const double plastic = has_end(law) ? law.line_end : law.rate > 0 ? std::log(1e4) / law.rate : 0;
+  return std::max(1.05 * plastic, 5 * law.peak / shear_modulus_Pa);
 }
 
 SofteningCurve perfectly_plastic(double peak_Pa) {

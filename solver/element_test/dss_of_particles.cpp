@@ -35,8 +35,9 @@ Particles specimen(const Material& material, const ParticleShear& test) {
   p.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
   for (int i = 0; i < side * side; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    p.x[k] = test.cell_m + (i / side + 0.5) * spacing;
-    p.z[k] = test.cell_m + (i % side + 0.5) * spacing;
+    const int column = i / side, row = i % side;
+    p.x[k] = test.cell_m + (column + 0.5) * spacing;
+    p.z[k] = test.cell_m + (row + 0.5) * spacing;
     p.volume[k] = spacing * spacing;
     p.mass[k] = p.volume[k] * material.unit_weight / gravity;
     p.szz[k] = -test.vertical_stress_Pa;

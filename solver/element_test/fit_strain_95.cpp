@@ -36,9 +36,9 @@ double strain_95(double strain, double strength_ratio, double sensitivity) {
 
 Strain95Fit fit_strain_95(const PostPeak& curve, double remolded_Pa) {
   Strain95Fit fit;
-  if (curve.stress_Pa.empty()) fit.faults.push_back("no point behind the peak");
+  if (curve.stress_Pa.empty()) fit.faults.emplace_back("no point behind the peak");
   if (!(remolded_Pa > 0) || remolded_Pa >= curve.peak_Pa) {
-    fit.faults.push_back("the remolded strength must be above 0 and below the peak");
+    fit.faults.emplace_back("the remolded strength must be above 0 and below the peak");
   }
   if (!fit.faults.empty()) return fit;
   const Spot spot = spot_at(curve, (curve.peak_Pa + remolded_Pa) / 2);
@@ -47,7 +47,7 @@ Strain95Fit fit_strain_95(const PostPeak& curve, double remolded_Pa) {
   fit.reduction_used = (curve.peak_Pa - spot.stress_Pa) / (curve.peak_Pa - remolded_Pa);
   const double found = strain_95(spot.strain, spot.stress_Pa / curve.peak_Pa, fit.sensitivity);
   if (!(found > 0) || !std::isfinite(found)) {
-    fit.faults.push_back("the stress does not fall behind the peak");
+    fit.faults.emplace_back("the stress does not fall behind the peak");
     return fit;
   }
   fit.law = {remolded_Pa, found};

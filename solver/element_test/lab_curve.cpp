@@ -32,8 +32,9 @@ std::vector<std::string_view> split(std::string_view line) {
     std::string_view cell = line.substr(0, comma);
     const auto first = cell.find_first_not_of(" \t\r");
     const auto last = cell.find_last_not_of(" \t\r");
-    cells.push_back(first == cell.npos ? std::string_view{} : cell.substr(first, last - first + 1));
-    if (comma == line.npos) return cells;
+    cells.push_back(first == std::string_view::npos ? std::string_view{}
+                                                    : cell.substr(first, last - first + 1));
+    if (comma == std::string_view::npos) return cells;
     line.remove_prefix(comma + 1);
   }
 }

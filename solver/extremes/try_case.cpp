@@ -79,13 +79,13 @@ void judge_status(const ExtremeCase& extreme, const Outcome& o, std::vector<std:
                      (o.result.reason.empty() ? "" : ": " + o.result.reason));
   }
   if (status == RunStatus::unstable && o.result.reason.empty()) {
-    broken.push_back("gives no reason for being unstable");
+    broken.emplace_back("gives no reason for being unstable");
   }
 }
 
 void judge_balances(const ExtremeCase& extreme, const Outcome& o,
                     std::vector<std::string>& broken) {
-  if (!o.finite) broken.push_back("a value of a frame or of the result is not finite");
+  if (!o.finite) broken.emplace_back("a value of a frame or of the result is not finite");
   const Balances& b = o.result.balances;
   if (!(b.mass < most_mass_error) || !(b.momentum < most_mass_error)) {
     broken.push_back("mass is off by " + show(b.mass) + ", momentum by " + show(b.momentum) +
@@ -142,7 +142,7 @@ bool is_refused(const ExtremeCase& extreme, Outcome& outcome) {
     outcome.refusal += (outcome.refusal.empty() ? "" : "; ") + f.pointer + " " + f.message;
   }
   if (extreme.unchecked) {
-    if (faults.empty()) outcome.broken.push_back("is valid, but must be refused");
+    if (faults.empty()) outcome.broken.emplace_back("is valid, but must be refused");
     return false;
   }
   const bool expected = !extreme.refused_at.empty();

@@ -13,8 +13,7 @@
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace leda::solver {
-namespace HWY_NAMESPACE {
+namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Reads one column of the law table: a broadcast where all lanes share the row.
@@ -44,8 +43,7 @@ HWY_INLINE LawRows<D> law_rows(D d, const std::int32_t* law) {
   return {d, rows, static_cast<std::size_t>(law[0]), same};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace leda::solver
+}  // namespace leda::solver::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

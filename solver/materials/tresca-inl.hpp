@@ -14,8 +14,7 @@
 #include "solver/materials/viscous-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace leda::solver {
-namespace HWY_NAMESPACE {
+namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// In-plane components of a symmetric tensor; xz is the tensor component, not the engineering one.
@@ -161,8 +160,7 @@ HWY_INLINE StressStep<D> next_stress(D d, const LawRows<D>& row, const Laws& law
   return {{xx, zz, xz, yy}, plastic, hn::Mul(half, hn::Add(normal, shear)), any};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace leda::solver
+}  // namespace leda::solver::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -14,8 +14,7 @@
 #include "solver/materials/law_rows-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace leda::solver {
-namespace HWY_NAMESPACE {
+namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// What the strength is multiplied with at an engineering shear rate, 1/s.
@@ -55,8 +54,7 @@ HWY_INLINE hn::Vec<D> flow_strain(D d, const LawRows<D>& row, const ViscousLaws&
   return hn::Mul(hn::Exp(d, hn::Max(u, hn::Set(d, -700.0))), elastic);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace leda::solver
+}  // namespace leda::solver::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -10,8 +10,7 @@
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace leda::solver {
-namespace HWY_NAMESPACE {
+namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Lanes = hn::CappedTag<Real, Pack::lanes>;
@@ -163,10 +162,10 @@ GridSums UpdateColumns(PackGrid& grid, const GridStep& step, std::size_t first, 
   const std::size_t image = grid.columns - 1;
   std::vector<Real> room(2 * PackGrid::values * grid.stride);
   const Nodes own{room.data(), grid.stride};
-  const Nodes outside{room.data() + PackGrid::values * grid.stride, grid.stride};
+  const Nodes beyond{room.data() + PackGrid::values * grid.stride, grid.stride};
   const auto fold = [&](std::size_t from) {
-    combine(grid, from, outside, gravity);
-    fold_side(outside, own, whole_vectors(grid.top[from]));
+    combine(grid, from, beyond, gravity);
+    fold_side(beyond, own, whole_vectors(grid.top[from]));
   };
   for (std::size_t i = first; i < last; ++i) {
     if (grid.top[i] < 3) continue;
@@ -185,8 +184,7 @@ GridSums UpdateColumns(PackGrid& grid, const GridStep& step, std::size_t first, 
   return sums;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace leda::solver
+}  // namespace leda::solver::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -11,8 +11,7 @@
 #include "solver/packs/pack_grid.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace leda::solver {
-namespace HWY_NAMESPACE {
+namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Quadratic B-spline (Steffen et al. 2008) along one axis, for the three nodes seen from u in
@@ -118,8 +117,7 @@ HWY_INLINE void spread_pack(D d, Real* sums, std::size_t stride, const PackAxis<
   }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace leda::solver
+}  // namespace leda::solver::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -12,13 +12,11 @@
 #include "solver/packs/pack_spline-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace leda::solver {
-namespace HWY_NAMESPACE {
+namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Lanes = hn::CappedTag<Real, Pack::lanes>;
 using OneLane = hn::CappedTag<Real, 1>;
-constexpr std::size_t values = PackGrid::values * PackGrid::planes;
 
 // Velocity and affine velocity (per cell) of a vector of points.
 template <class D>
@@ -278,7 +276,7 @@ HWY_NOINLINE bool update_block(Pack* packs, std::size_t count, const PackLaws& l
                                const StepScales& scale, const Between& between,
                                ParticleSums& sums) {
   const Lanes d;
-  BlockSums block_sums;
+  BlockSums block_sums{};
   bool yields = false;
   for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
     const auto zero = hn::Zero(d);
@@ -331,7 +329,7 @@ PackSums StepPacks(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt
                    std::size_t begin, std::size_t end) {
   const StepScales scale{static_cast<Real>(dt), static_cast<Real>(dt / grid.h)};
   PackSums total;
-  Between between;
+  Between between{};
   bool inside = true;
   for (std::size_t first = begin; first < end; first += block) {
     const std::size_t count = std::min(block, end - first);
@@ -360,8 +358,7 @@ void Spread(const Packs& packs, PackGrid& grid, std::size_t first, std::size_t l
   }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace leda::solver
+}  // namespace leda::solver::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

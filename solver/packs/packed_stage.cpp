@@ -88,7 +88,7 @@ std::optional<PackedStage> begin_packed_stage(const Particles& particles, const 
 }
 
 void spread_all(PackedStage& stage) {
-  for (const std::size_t first : {0, 1}) {
+  for (const std::size_t first : {0U, 1U}) {
     for (std::size_t g = first; g < stage.rest.size(); g += 2) spread_group(stage, g);
   }
 }
@@ -108,7 +108,7 @@ StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team&
     nodes[g] = update_columns(stage.grid, grid_step, first, last);
   });
   std::vector<PackSums> points(groups);
-  for (const std::size_t first : {0, 1}) {  // neighbours share nodes, so they wait for each other
+  for (const std::size_t first : {0U, 1U}) {  // neighbours share nodes, so they wait for each other
     team.run((groups + 1 - first) / 2, [&](std::size_t i) {
       const std::size_t g = first + 2 * i;
       if (stage.rest[g].rests) return spread_group(stage, g);
@@ -154,9 +154,9 @@ Balances transfer_balance(PackedStage& stage) {
   }
   for (std::size_t i = 0; i < stage.packs.pack.size(); ++i) {
     for (std::size_t l = 0; l < Pack::lanes; ++l) {
-      const double m = static_cast<double>(stage.packs.pack[i].mass[l]);
-      const double vx = static_cast<double>(stage.packs.motion[i].vx[l]);
-      const double vz = static_cast<double>(stage.packs.motion[i].vz[l]);
+      const auto m = static_cast<double>(stage.packs.pack[i].mass[l]);
+      const auto vx = static_cast<double>(stage.packs.motion[i].vx[l]);
+      const auto vz = static_cast<double>(stage.packs.motion[i].vz[l]);
       mass += m;
       x += m * vx;
       z += m * vz;

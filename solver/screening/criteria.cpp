@@ -1,6 +1,7 @@
 #include "solver/screening/criteria.hpp"
 
-#include <cstdio>
+#include <charconv>
+#include <iterator>
 
 #include "solver/screening/remolding_energy.hpp"
 
@@ -17,8 +18,9 @@ struct Test {
 
 std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+  const auto end =
+      std::to_chars(std::begin(text), std::end(text), value, std::chars_format::general, 4);
+  return {std::begin(text), end.ptr};
 }
 
 Test above(const char* name, const std::optional<double>& value, double limit,

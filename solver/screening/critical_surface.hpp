@@ -26,7 +26,8 @@ struct FoundSurface {
 TrialSurface surface_of(const GroundPath& path, const SurfaceCoordinates& at);
 
 /// Factor of one surface; infinity where it is not admissible.
-double factor_of(const SlopeModel& model, const TrialSurface& surface, Method method, int slices);
+double factor_of(const SlopeModel& model, const TrialSurface& surface, Method method,
+                 int slice_count);
 
 /// Bishop over a grid of arcs, the least factor first; empty where nothing slopes.
 std::vector<FoundSurface> surface_grid(const SlopeModel& model, const GroundPath& path);

@@ -1,7 +1,8 @@
 #include "solver/screening/empirical_retrogression.hpp"
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
 #include <numbers>
 
 namespace leda::solver {
@@ -9,8 +10,9 @@ namespace {
 
 std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+  const auto end =
+      std::to_chars(std::begin(text), std::end(text), value, std::chars_format::general, 4);
+  return {std::begin(text), end.ptr};
 }
 
 }  // namespace

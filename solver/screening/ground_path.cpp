@@ -71,6 +71,7 @@ std::vector<double> GroundPath::corners(std::size_t most) const {
   std::ranges::sort(turns, std::greater{});
   if (turns.size() > most) turns.resize(most);
   std::vector<double> at;
+  at.reserve(turns.size());
   for (const auto& [sharpness, distance] : turns) at.push_back(distance);
   return at;
 }

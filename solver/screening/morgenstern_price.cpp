@@ -145,7 +145,7 @@ double morgenstern_price(const std::vector<Slice>& slices, Interslice shape) {
   // Outwards from lambda = 0, on the side where the moments call for shear first.
   for (const double side : {start.imbalance > 0 ? 1.0 : -1.0, start.imbalance > 0 ? -1.0 : 1.0}) {
     Trial last = start;
-    for (double size = 0.2; size < 3.3; size *= 2) {
+    for (const double size : {0.2, 0.4, 0.8, 1.6, 3.2}) {
       const Trial next = balance_forces(slices, f, side * size, last.factor);
       if (!next.holds()) break;
       if ((next.imbalance > 0) != (last.imbalance > 0)) {

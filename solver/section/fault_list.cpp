@@ -1,15 +1,17 @@
 #include "solver/section/fault_list.hpp"
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
 #include <utility>
 
 namespace leda {
 
 std::string show(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
+  const auto end =
+      std::to_chars(std::begin(text), std::end(text), value, std::chars_format::general, 10);
+  return {std::begin(text), end.ptr};
 }
 
 std::string pointer_part(std::string_view key) {
