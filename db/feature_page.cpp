@@ -30,12 +30,12 @@ std::string with_table(std::string text, const std::string& table) {
 }
 
 void set_boxes(Database& database, const std::string& one, const std::vector<FeatureBox>& boxes) {
+  const std::string insert = "INSERT OR REPLACE INTO " + one + "_boxes (" + one +
+                             "_id, west, south, east, north) VALUES (?, ?, ?, ?, ?)";
   database.write([&] {
-    for (const FeatureBox& b : boxes)
-      Query(database, "INSERT OR REPLACE INTO " + one + "_boxes (" + one +
-                          "_id, west, south, east, north) VALUES (?, ?, ?, ?, ?)")
-          .with(b.id, b.box[0], b.box[1], b.box[2], b.box[3])
-          .run();
+    for (const FeatureBox& b : boxes) {
+      Query(database, insert).with(b.id, b.box[0], b.box[1], b.box[2], b.box[3]).run();
+    }
   });
 }
 

@@ -25,13 +25,13 @@ void collect(const OGRGeometry& geometry, double least_area, std::vector<MapPoly
   const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
   if (type == wkbPolygon) {
     const OGRPolygon& polygon = *geometry.toPolygon();
-    if (polygon.IsEmpty() || polygon.get_Area() < least_area) return;
+    if ((polygon.IsEmpty() != 0) || polygon.get_Area() < least_area) return;
     MapPolygon part{to_line(*polygon.getExteriorRing()), {}};
     for (int i = 0; i < polygon.getNumInteriorRings(); ++i) {
       part.holes.push_back(to_line(*polygon.getInteriorRing(i)));
     }
     area.push_back(std::move(part));
-  } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection)) {
+  } else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0) {
     for (const OGRGeometry* part : *geometry.toGeometryCollection()) {
       collect(*part, least_area, area);
     }
@@ -70,7 +70,7 @@ std::vector<MapPolygon> union_of(const std::vector<MapLine>& rings, double least
     for (const MapPolygon& part : parts) pieces.addGeometryDirectly(to_ogr(part).release());
   }
   std::vector<MapPolygon> area;
-  if (pieces.IsEmpty()) return area;
+  if (pieces.IsEmpty() != 0) return area;
   const GeometryHandle united(pieces.UnionCascaded());
   if (!united) throw std::runtime_error("GEOS can't join a zone" + gdal_message());
   collect(*united, least_area, area);

@@ -54,7 +54,7 @@ ToCrs84& ToCrs84::operator=(ToCrs84&&) noexcept = default;
 
 MapPoint ToCrs84::operator()(MapPoint p) const {
   const QuietGdal quiet;
-  if (!transformation_->transform->Transform(1, &p.x, &p.y)) {
+  if (transformation_->transform->Transform(1, &p.x, &p.y) == 0) {
     throw ExportError("a point lies outside what its coordinate system covers" + gdal_message());
   }
   return p;

@@ -26,7 +26,7 @@ GridTransform transform_of(GDALDataset& dataset, GridTransform& inverse) {
   GridTransform t{};
   const bool known = dataset.GetGeoTransform(t.data()) == CE_None;
   const bool finite = std::all_of(t.begin(), t.end(), [](double v) { return std::isfinite(v); });
-  if (!known || !finite || !GDALInvGeoTransform(t.data(), inverse.data())) {
+  if (!known || !finite || GDALInvGeoTransform(t.data(), inverse.data()) == 0) {
     throw DemError(
         "the raster does not say where on the map it lies (no usable geotransform): write it into "
         "the file with gdal_edit.py -a_ullr WEST NORTH EAST SOUTH");
@@ -77,7 +77,7 @@ struct Dem::Raster {
   std::unordered_map<std::int64_t, Tile> tiles;
   std::list<std::int64_t> by_age;  // newest first
 
-  std::vector<float> read(int column, int row, int width, int height, int columns, int rows);
+  std::vector<float> read(int column, int row, int width, int height, int columns, int rows) const;
   float to_metres(double raw) const;
   float cell(int column, int row);
   const Tile& tile_at(int tile_column, int tile_row);
@@ -92,7 +92,7 @@ float Dem::Raster::to_metres(double raw) const {
 }
 
 std::vector<float> Dem::Raster::read(int column, int row, int width, int height, int columns,
-                                     int rows) {
+                                     int rows) const {
   const QuietGdal quiet;
   const auto count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   std::vector<double> raw(count);
@@ -173,7 +173,7 @@ Dem Dem::open(const std::filesystem::path& file, const DemOptions& options) {
   raster->offset = raster->band->GetOffset() * info.metres_per_vertical_unit;
   int has_nodata = 0;
   const double nodata = raster->band->GetNoDataValue(&has_nodata);
-  if (has_nodata) raster->nodata = nodata;
+  if (has_nodata != 0) raster->nodata = nodata;
   raster->has_mask = (raster->band->GetMaskFlags() & GMF_PER_DATASET) != 0;
   return Dem(std::move(raster));
 }
@@ -204,7 +204,7 @@ std::optional<double> Dem::sample(MapPoint p) const {
   double z = 0;
   for (int dr = 0; dr < 2; ++dr) {
     for (int dc = 0; dc < 2; ++dc) {
-      const double weight = (dc ? fc : 1 - fc) * (dr ? fr : 1 - fr);
+      const double weight = (dc != 0 ? fc : 1 - fc) * (dr != 0 ? fr : 1 - fr);
       if (weight == 0) continue;
       const double elevation = raster_->cell(c0 + dc, r0 + dr);
       if (std::isnan(elevation)) return std::nullopt;

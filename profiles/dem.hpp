@@ -58,8 +58,10 @@ class Dem {
   ///         too large, not readable
   static Dem open(const std::filesystem::path& file, const DemOptions& options = {});
   ~Dem();
-  Dem(Dem&&) noexcept;
-  Dem& operator=(Dem&&) noexcept;
+  Dem(const Dem&) = delete;
+  Dem& operator=(const Dem&) = delete;
+  Dem(Dem&& other) noexcept;
+  Dem& operator=(Dem&& other) noexcept;
 
   const DemInfo& info() const;
 

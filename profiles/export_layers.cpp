@@ -2,9 +2,9 @@
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
-#include <stdlib.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <vector>
 
@@ -62,7 +62,8 @@ void zip_folder(const fs::path& folder, const fs::path& zip_file) {
 }
 
 fs::path write_zip(const RegionLayers& layers, const std::string& ending, const fs::path& work) {
-  const fs::path folder = work / "layers", zip_file = work / "layers.zip";
+  const fs::path folder = work / "layers";
+  fs::path zip_file = work / "layers.zip";
   fs::create_directory(folder);
   write_layer_files(layers, ending, folder);
   zip_folder(folder, zip_file);

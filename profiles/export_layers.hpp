@@ -75,8 +75,8 @@ class ToCrs84 {
   ~ToCrs84();
   ToCrs84(const ToCrs84&) = delete;
   ToCrs84& operator=(const ToCrs84&) = delete;
-  ToCrs84(ToCrs84&&) noexcept;
-  ToCrs84& operator=(ToCrs84&&) noexcept;
+  ToCrs84(ToCrs84&& other) noexcept;
+  ToCrs84& operator=(ToCrs84&& other) noexcept;
 
   MapPoint operator()(MapPoint p) const;
   MapLine operator()(const MapLine& line) const;

@@ -168,6 +168,7 @@ void write_png(const Image& image, const fs::path& png) {
 Band mask_of(const Picture& picture, const std::vector<GeometryHandle>& geometries) {
   const DatasetHandle memory = in_memory(picture, 1);
   std::vector<OGRGeometryH> handles;
+  handles.reserve(geometries.size());
   for (const GeometryHandle& g : geometries) handles.push_back(OGRGeometry::ToHandle(g.get()));
   const std::vector<double> burn(handles.size(), 255);
   int band = 1;
@@ -224,6 +225,7 @@ Picture write_zone_picture(const Dem& dem, const std::vector<Zone>& zones,
   paint(image, mask_of(image.picture, areas_of(zones, ZoneKind::runout)), {253, 174, 97}, 0.6);
   paint(image, mask_of(image.picture, areas_of(zones, ZoneKind::release)), {215, 48, 39}, 0.5);
   std::vector<GeometryHandle> drawn;
+  drawn.reserve(lines.size());
   for (const MapLine& line : lines) drawn.push_back(to_ogr(line));
   paint(image, mask_of(image.picture, drawn), {30, 80, 200}, 0.9);
   write_png(image, png);

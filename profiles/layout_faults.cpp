@@ -177,7 +177,7 @@ std::vector<Fault> faults_of(const SectionLayout& layout, const Dem& dem,
   if (layout.lines.empty() && layout.along.empty()) {
     checker.add("", "asks for no section: give named lines, or a line with a spacing");
   }
-  double count = static_cast<double>(layout.lines.size());
+  auto count = static_cast<double>(layout.lines.size());
   for (std::size_t i = 0; i < layout.along.size(); ++i) {
     const double along = checker.check_along(layout.along[i], fmt::format("/along/{}", i));
     // The names these sections will get; a count beyond the limit is reported below.

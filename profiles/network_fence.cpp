@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -18,11 +19,12 @@ constexpr std::array<std::string_view, 5> local{"/vsimem/", "/vsisubfile/", "/vs
 
 class Nothing final : public VSIFilesystemHandler {
  public:
-  VSIVirtualHandle* Open(const char*, const char*, bool, CSLConstList) override {
+  VSIVirtualHandle* Open(const char* /*name*/, const char* /*access*/, bool /*set_error*/,
+                         CSLConstList /*options*/) override {
     errno = ENOENT;
     return nullptr;
   }
-  int Stat(const char*, VSIStatBufL*, int) override {
+  int Stat(const char* /*name*/, VSIStatBufL* /*status*/, int /*flags*/) override {
     errno = ENOENT;
     return -1;
   }
@@ -33,7 +35,8 @@ class Nothing final : public VSIFilesystemHandler {
 void close_network() {
   // GDAL owns what is installed, and destroys it once however often it is installed. What it is
   // installed in place of is GDAL's no more; it is kept, since GDAL itself may still point to it.
-  auto* nothing = new Nothing;
+  auto* nothing = std::make_unique<Nothing>().release();
+  // NOLINTNEXTLINE(*-owning-memory, *-global-variables): it outlives whatever ends the process
   static auto& replaced = *new std::vector<VSIFilesystemHandler*>;
   const CPLStringList prefixes(VSIGetFileSystemsPrefixes());
   for (int i = 0; i < prefixes.size(); ++i) {

@@ -50,7 +50,7 @@ PlacedResult place_result(const Profile& profile, int line, double order,
   placed.backscarp = point_on_trace(profile, result.backscarp.x);
   placed.front = point_on_trace(profile, result.front.x);
   if (result.front.x < profile.ground.front().x || result.front.x > profile.ground.back().x) {
-    placed.warnings.push_back("the debris runs beyond the end of the section");
+    placed.warnings.emplace_back("the debris runs beyond the end of the section");
   }
   return placed;
 }

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <mutex>
+#include <string_view>
 
 #include "profiles/gdal_error.hpp"
 #include "profiles/network_fence.hpp"
@@ -59,16 +61,24 @@ void check_bands(GDALDataset& dataset) {
     throw DemError("the raster has " + std::to_string(dataset.GetRasterCount()) +
                    " bands, a DEM has one: choose it with gdal_translate -b 1");
   }
-  if (GDALDataTypeIsComplex(dataset.GetRasterBand(1)->GetRasterDataType())) {
+  if (GDALDataTypeIsComplex(dataset.GetRasterBand(1)->GetRasterDataType()) != 0) {
     throw DemError("the raster holds complex numbers, a DEM holds elevations");
   }
 }
 
+/// 0 where the code is none of EPSG's.
+int epsg_number(const char* authority, const char* code) {
+  if (authority == nullptr || code == nullptr || std::string_view(authority) != "EPSG") return 0;
+  const std::string_view digits = code;
+  int number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return number;
+}
+
 int epsg_of(OGRSpatialReference& crs) {
   crs.AutoIdentifyEPSG();
-  const char* authority = crs.GetAuthorityName(nullptr);
-  const char* code = crs.GetAuthorityCode(nullptr);
-  if (authority && code && std::string(authority) == "EPSG") return std::atoi(code);
+  const int own = epsg_number(crs.GetAuthorityName(nullptr), crs.GetAuthorityCode(nullptr));
+  if (own != 0) return own;
 
   int count = 0;
   int* confidence = nullptr;
@@ -76,9 +86,9 @@ int epsg_of(OGRSpatialReference& crs) {
       OSRFindMatches(OGRSpatialReference::ToHandle(&crs), nullptr, &count, &confidence);
   int found = 0;
   for (int i = 0; i < count && found == 0; ++i) {
-    const char* match = OSRGetAuthorityCode(matches[i], nullptr);
-    const char* by = OSRGetAuthorityName(matches[i], nullptr);
-    if (confidence[i] >= 90 && match && by && std::string(by) == "EPSG") found = std::atoi(match);
+    if (confidence[i] < 90) continue;
+    found = epsg_number(OSRGetAuthorityName(matches[i], nullptr),
+                        OSRGetAuthorityCode(matches[i], nullptr));
   }
   OSRFreeSRSArray(matches);
   CPLFree(confidence);
@@ -167,17 +177,17 @@ OGRSpatialReference horizontal_crs(GDALDataset& dataset, int stated_epsg, int& e
   } else if (crs.importFromEPSG(stated_epsg) != OGRERR_NONE) {
     throw DemError("EPSG:" + std::to_string(stated_epsg) + " is not a known code");
   }
-  if (crs.IsGeographic()) {
+  if (crs.IsGeographic() != 0) {
     throw DemError(
         "the raster is in degrees (" + std::string(crs.GetName()) +
         "): reproject it to a projected system in metres, for example gdalwarp -t_srs EPSG:2950");
   }
-  if (!crs.IsProjected()) {
+  if (crs.IsProjected() == 0) {
     throw DemError(
         "the raster's coordinate reference system is not a projected one: write the right one into "
         "the file with gdal_edit.py -a_srs EPSG:2950 (for example)");
   }
-  if (crs.IsCompound()) crs.StripVertical();
+  if (crs.IsCompound() != 0) crs.StripVertical();
   epsg = epsg_of(crs);
   if (epsg == 0) {
     throw DemError("the raster's projected system (" + std::string(crs.GetName()) +
@@ -198,13 +208,13 @@ std::string vertical_unit(GDALDataset& dataset, const std::string& stated) {
   }
   const std::string band = dataset.GetRasterBand(1)->GetUnitType();
   if (!band.empty()) {
-    const std::string unit = unit_named(band);
+    std::string unit = unit_named(band);
     if (!unit.empty()) return unit;
     throw DemError("the raster's elevations are in '" + band + "'" + state_vertical_unit);
   }
   const OGRSpatialReference* crs = dataset.GetSpatialRef();
   if (!crs) return "m";
-  if (crs->IsCompound()) {
+  if (crs->IsCompound() != 0) {
     const char* name = nullptr;
     const double factor = crs->GetTargetLinearUnits("VERT_CS", &name);
     for (const char* unit : {"m", "ft", "us-ft"}) {

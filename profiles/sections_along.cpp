@@ -71,6 +71,7 @@ int uphill_side(const Station& station, double reach, const Dem& dem) {
 
 std::vector<int> uphill_sides(const std::vector<Station>& stations, double reach, const Dem& dem) {
   std::vector<int> clear;
+  clear.reserve(stations.size());
   for (const Station& station : stations) clear.push_back(uphill_side(station, reach, dem));
   std::vector<int> sides = clear;
   const auto count = static_cast<std::ptrdiff_t>(clear.size());
@@ -113,7 +114,7 @@ MapLine smoothed(const MapLine& line, double spacing) {
   MapLine result;
   for (std::size_t i = 0; i <= steps; ++i) {
     const std::size_t half = std::min({static_cast<std::size_t>(steps_per_spacing), i, steps - i});
-    const double count = static_cast<double>(2 * half + 1);
+    const auto count = static_cast<double>(2 * half + 1);
     const MapPoint& from = sums[i - half];
     const MapPoint& to = sums[i + half + 1];
     result.push_back({(to.x - from.x) / count, (to.y - from.y) / count});

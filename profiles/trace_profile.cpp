@@ -152,7 +152,7 @@ std::variant<Profile, LeftOut> trace_profile(const LaidSection& section, const D
                     to, length_m));
   }
   if (reaches_end) {
-    profile.warnings.push_back(
+    profile.warnings.emplace_back(
         "the bank reaches the end of the section: a longer section may slide further");
   }
   return profile;
@@ -178,8 +178,8 @@ Polyline simplify(const Polyline& line, double tolerance_m) {
     }
     if (farthest == first) continue;
     kept[farthest] = true;
-    open.push_back({first, farthest});
-    open.push_back({farthest, last});
+    open.emplace_back(first, farthest);
+    open.emplace_back(farthest, last);
   }
   Polyline result;
   for (std::size_t i = 0; i < line.size(); ++i) {

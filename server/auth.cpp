@@ -100,7 +100,7 @@ std::string bearer_token(const std::string& authorization) {
   if (!authorization.starts_with(scheme)) return "";
   const std::string token = authorization.substr(scheme.size());
   const bool plain = std::all_of(token.begin(), token.end(), [](unsigned char c) {
-    return std::isalnum(c) ||
+    return std::isalnum(c) != 0 ||
            std::string_view("-._~+/=").find(static_cast<char>(c)) != std::string_view::npos;
   });
   return plain ? token : "";

@@ -1,5 +1,7 @@
 #include "server/compare_sections.hpp"
 
+#include <fmt/format.h>
+
 #include "server/problem.hpp"
 
 namespace leda::server {
@@ -11,7 +13,8 @@ std::vector<db::SectionRecord> sections_or_problem(const db::Store& store, const
   for (const auto& name : names) {
     auto section = store.section(job, name);
     if (!section) {
-      throw Problem(Failure::no_such_resource, "job " + job + " has no section '" + name + "'");
+      throw Problem(Failure::no_such_resource,
+                    fmt::format("job {} has no section '{}'", job, name));
     }
     sections.push_back(std::move(*section));
   }
@@ -20,6 +23,7 @@ std::vector<db::SectionRecord> sections_or_problem(const db::Store& store, const
 
 std::vector<ComparedSection> as_compared(const std::vector<db::SectionRecord>& sections) {
   std::vector<ComparedSection> compared;
+  compared.reserve(sections.size());
   for (const auto& section : sections) {
     compared.push_back({section.name, db::to_string(section.state), section.ground, section.crest,
                         section.toe, section.result,

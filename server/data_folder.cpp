@@ -14,7 +14,8 @@ namespace leda::server {
 namespace {
 
 DataFolderError failure(const std::string& what, const std::filesystem::path& file) {
-  return DataFolderError(what + " " + file.string() + ": " + std::strerror(errno));
+  DataFolderError error(what + " " + file.string() + ": " + std::strerror(errno));
+  return error;
 }
 
 }  // namespace

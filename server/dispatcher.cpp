@@ -83,28 +83,28 @@ std::chrono::steady_clock::duration Dispatcher::since_last_turn() const {
   return std::chrono::steady_clock::now() - last_turn_.load();
 }
 
-void Dispatcher::dismiss(const std::string& id) {
+void Dispatcher::dismiss(const std::string& job) {
   {
     const std::lock_guard inbox(inbox_mutex_);
-    std::erase(to_take_up_, id);
+    std::erase(to_take_up_, job);
   }
   const std::lock_guard lock(mutex_);
-  store_.set_job_state(id, JobState::dismissed, "dismissed");
-  const auto found = jobs_.find(id);
+  store_.set_job_state(job, JobState::dismissed, "dismissed");
+  const auto found = jobs_.find(job);
   if (found != jobs_.end()) {
     for (const auto& [run, of] : runs_) {
-      if (of.job == id) executor_->cancel(run);
+      if (of.job == job) executor_->cancel(run);
     }
-    std::erase_if(runs_, [&](const auto& entry) { return entry.second.job == id; });
+    std::erase_if(runs_, [&](const auto& entry) { return entry.second.job == job; });
     jobs_.erase(found);
     running_ = runs_.size();
   }
-  for (const auto& section : store_.sections(id)) {
+  for (const auto& section : store_.sections(job)) {
     if (section.state == SectionState::waiting || section.state == SectionState::running) {
       store_.set_section_state(section.id, SectionState::dismissed, "the job was dismissed");
     }
   }
-  log_info(id, "dismissed");
+  log_info(job, "dismissed");
 }
 
 void Dispatcher::work() {
@@ -227,7 +227,7 @@ bool Dispatcher::screened_out(OpenJob& job, db::SectionRecord& section) {
 /// A folder with all that a worker needs, booked in the store.
 std::string Dispatcher::new_run(const std::string& job, const db::SectionRecord& section) {
   const OpenJob& open = jobs_.at(job);
-  const std::string run = new_folder(data_, job, section);
+  std::string run = new_folder(data_, job, section);
   try {
     write_durably(data_.run(run) / "case.json", open.work->case_file(section));
     if (!section.run.empty()) hand_over(data_, job, section.run, run);

@@ -10,14 +10,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Exports take memory and processor time: one after the other.
-std::mutex exporting;
-
 /// "JOB-20260131120000000.gpkg": another one once the job was retried.
 std::string name_of(const db::JobRecord& job, profiles::ExportFormat format) {
   std::string name = job.id + "-";
   for (const char c : job.finished) {
-    if (std::isdigit(static_cast<unsigned char>(c))) name += c;
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0) name += c;
   }
   return name + profiles::file_ending(format);
 }
@@ -36,7 +33,9 @@ void remove_older(const fs::path& newest, const db::JobRecord& job, profiles::Ex
 
 fs::path export_of(const DataFolder& data, const db::Store& store, const db::JobRecord& job,
                    profiles::ExportFormat format) {
-  const fs::path file = data.exports() / name_of(job, format);
+  // Exports take memory and processor time: one after the other.
+  static std::mutex exporting;
+  fs::path file = data.exports() / name_of(job, format);
   const std::lock_guard one_at_a_time(exporting);
   if (fs::exists(file)) return file;
   profiles::export_layers(region_layers(store, job), format, file);

@@ -38,7 +38,7 @@ class GuardedConnection final : public httplib::Stream {
 
   socket_t socket_;
   const Limits& limits_;
-  char buffer_[4096];
+  char buffer_[4096]{};
   std::size_t at_ = 0, end_ = 0;  ///< of what was received and not read yet
   std::size_t header_bytes_ = 0, body_bytes_ = 0, sent_bytes_ = 0;
   int line_ends_ = 0;  ///< in a row; two end the header

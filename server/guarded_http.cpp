@@ -6,6 +6,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -19,9 +20,16 @@ constexpr int requests_of_a_connection = 1000;
 constexpr int idle_ms = 1000;  // between two requests of a connection
 constexpr int backlog = 128;
 
-/// Set while the thread that accepts has to turn a connection away.
-thread_local bool turned_away = false;
-thread_local bool close_after_answer = false;
+/// What a thread is to do with its connection: the library's callbacks have no room for it.
+struct ThisThread {
+  bool turns_away = false;  ///< set while the thread that accepts has to
+  bool closes_after_answer = false;
+};
+
+ThisThread& this_thread() {
+  static thread_local ThisThread own;
+  return own;
+}
 
 /// Lets the client read its answer before the connection is cut: what it still sends is dropped
 /// for a moment, else the machine would answer it with a reset.
@@ -52,9 +60,9 @@ class BoundedPool final : public httplib::TaskQueue {
         return;
       }
     }
-    turned_away = true;
+    this_thread().turns_away = true;
     connection();
-    turned_away = false;
+    this_thread().turns_away = false;
   }
 
   void shutdown() override {
@@ -107,11 +115,13 @@ bool has_something_to_read(socket_t socket) {
 
 }  // namespace
 
-void close_after_this_answer() { close_after_answer = true; }
+void close_after_this_answer() { this_thread().closes_after_answer = true; }
 
 GuardedHttp::GuardedHttp(const Limits& limits, std::size_t threads) : limits_(limits) {
   const std::size_t waiting = limits.connections > threads ? limits.connections - threads : 1;
-  new_task_queue = [threads, waiting] { return new BoundedPool(threads, waiting); };
+  new_task_queue = [threads, waiting] {
+    return std::make_unique<BoundedPool>(threads, waiting).release();
+  };
   // Not SO_REUSEPORT, as the library would: two servers would share a port without a word.
   set_socket_options([this](socket_t socket) {
     listening_ = socket;
@@ -126,14 +136,14 @@ void GuardedHttp::lengthen_backlog() const {
 
 bool GuardedHttp::process_and_close_socket(socket_t socket) {
   bool answered = false;
-  if (turned_away) {
+  if (this_thread().turns_away) {
     send_and_forget(socket, 503, "Too many connections", "Retry-After: 1\r\n");
   } else {
     const Counted counted(open_);
     answered = answer_requests(socket);
   }
-  if (close_after_answer) linger(socket);
-  close_after_answer = false;
+  if (this_thread().closes_after_answer) linger(socket);
+  this_thread().closes_after_answer = false;
   ::shutdown(socket, SHUT_RDWR);
   ::close(socket);
   return answered;
@@ -146,7 +156,8 @@ bool GuardedHttp::answer_requests(socket_t socket) {
     GuardedConnection connection(socket, limits_);
     bool closed = false;
     answered = process_request(connection, left == 1, closed, nullptr);
-    if (!answered || closed || close_after_answer || connection.is_broken_off()) break;
+    if (!answered || closed || this_thread().closes_after_answer || connection.is_broken_off())
+      break;
   }
   return answered;
 }

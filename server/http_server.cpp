@@ -20,7 +20,7 @@ std::string path_of(const httplib::Request& request) {
 }
 
 HeaderOf headers_of(const httplib::Request& request) {
-  return [&request](const std::string& name) { return request.get_header_value(name.c_str()); };
+  return [&request](const std::string& name) { return request.get_header_value(name); };
 }
 
 Call call_of(const httplib::Request& request, const httplib::ContentReader* reader) {
@@ -82,6 +82,7 @@ Answer answer_to(Service& service, Call& call, const std::string& target, Told& 
   told.holder = require_role(match.route->role, call.header, service.tokens).name;
   if (const auto unknown = unknown_parameters(*match.route, call); !unknown.empty()) {
     std::vector<Fault> faults;
+    faults.reserve(unknown.size());
     for (const auto& name : unknown) faults.push_back({"", "unknown query parameter: " + name});
     throw Problem(Failure::invalid_parameter, "known here: " + std::string(match.route->parameters),
                   faults);
@@ -197,13 +198,13 @@ void set_up(httplib::Server& http, Service& service) {
   http.set_error_handler([](const httplib::Request& request, httplib::Response& response) {
     fill_error(request, response);
   });
-  http.set_exception_handler(
-      [](const httplib::Request& request, httplib::Response& response, std::exception_ptr) {
-        const Answer answer =
-            to_answer(Problem(Failure::internal, "the answer could not be made"), request.path);
-        response.status = answer.status;
-        response.set_content(answer.body, answer.type);
-      });
+  http.set_exception_handler([](const httplib::Request& request, httplib::Response& response,
+                                const std::exception_ptr& /*thrown*/) {
+    const Answer answer =
+        to_answer(Problem(Failure::internal, "the answer could not be made"), request.path);
+    response.status = answer.status;
+    response.set_content(answer.body, answer.type);
+  });
 }
 
 }  // namespace

@@ -30,6 +30,8 @@ class HttpServer {
   HttpServer(Service& service, const ListenAddress& address);
   /// Stops listening and ends open answers.
   ~HttpServer();
+  HttpServer(const HttpServer&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
 
  private:
   struct Running;

@@ -33,7 +33,7 @@ void limit(decltype(RLIMIT_AS) what, rlim_t soft, rlim_t hard) {
   setrlimit(what, &value);
 }
 
-[[noreturn]] void run_child(const char* const* arguments, int log, pid_t server,
+[[noreturn]] void run_child(char* const* arguments, int log, pid_t server,
                             const RunLimits& limits) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -41,7 +41,7 @@ void limit(decltype(RLIMIT_AS) what, rlim_t soft, rlim_t hard) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  signal(SIGPIPE, SIG_DFL);
+  static_cast<void>(signal(SIGPIPE, SIG_DFL));
   const int null = open("/dev/null", O_RDONLY);
   dup2(null, STDIN_FILENO);
   dup2(log, STDOUT_FILENO);
@@ -53,7 +53,7 @@ void limit(decltype(RLIMIT_AS) what, rlim_t soft, rlim_t hard) {
     limit(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes);
   }
   if (limits.cpu_s > 0) limit(RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 5);
-  execv(arguments[0], const_cast<char* const*>(arguments));
+  execv(arguments[0], arguments);
   const char message[] = "the program of the run could not be started\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message, sizeof(message) - 1);
   _exit(127);
@@ -84,10 +84,10 @@ std::size_t LocalExecutor::free_slots() const {
 }
 
 void LocalExecutor::submit(const RunOrder& order) {
-  const std::string program = program_.string();
-  const auto words = worker_arguments(order);
-  std::vector<const char*> arguments{program.c_str()};
-  for (const auto& word : words) arguments.push_back(word.c_str());
+  std::string program = program_.string();
+  auto words = worker_arguments(order);
+  std::vector<char*> arguments{program.data()};
+  for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const int log =
       open((order.folder / "log.txt").c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);

@@ -15,7 +15,7 @@ namespace leda::server {
 /// What one run may use. 0: no limit.
 struct RunLimits {
   std::uint64_t memory_bytes = std::uint64_t{8} << 30;  ///< address space
-  std::uint64_t cpu_s = 6 * 3600;
+  std::uint64_t cpu_s = std::uint64_t{6} * 3600;
   std::chrono::seconds wall{8 * 3600};
 };
 
@@ -28,6 +28,8 @@ class LocalExecutor final : public Executor {
   LocalExecutor(std::filesystem::path program, std::size_t workers, RunLimits limits = {});
   /// Kills what still runs.
   ~LocalExecutor() override;
+  LocalExecutor(const LocalExecutor&) = delete;
+  LocalExecutor& operator=(const LocalExecutor&) = delete;
 
   std::size_t free_slots() const override;
   void submit(const RunOrder& order) override;

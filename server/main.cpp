@@ -1,9 +1,12 @@
 // The command line of Leda: each subcommand stands in a file of its own in commands/.
 
 #include "server/commands/commands.hpp"
+#include "server/commands/exit_code.hpp"
 #include "server/version.hpp"
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
   CLI::App app("Leda maps the hazard of retrogressive landslides in sensitive clays.", "leda");
   app.set_version_flag("--version", std::string("leda ") + leda::server::version());
   app.require_subcommand(1);
@@ -29,4 +32,10 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return leda::server::guarded([&] { return run(argc, argv); });
 }

@@ -152,6 +152,7 @@ class Region final : public Work {
 
   std::vector<Zone> zones(const std::vector<SectionRecord>& sections) const override {
     std::vector<PlacedResult> placed;
+    placed.reserve(sections.size());
     for (const auto& section : sections) placed.push_back(on_the_map(section));
     profiles::ZonationOptions options;
     options.metres_per_unit = profiles::Dem::open(dem_file_).info().metres_per_unit;
@@ -213,12 +214,12 @@ class Region final : public Work {
 
 }  // namespace
 
-std::unique_ptr<Work> open_region(const std::string& text, const Library& library) {
-  auto request = parse_region_request(text, DemNaming::registered_only);
-  if (!request) {
-    throw Problem(Failure::invalid_request, "the request cannot be understood", request.faults);
+std::unique_ptr<Work> open_region(const std::string& request, const Library& library) {
+  auto parsed = parse_region_request(request, DemNaming::registered_only);
+  if (!parsed) {
+    throw Problem(Failure::invalid_request, "the request cannot be understood", parsed.faults);
   }
-  const std::string& wanted = library.raster.empty() ? request.value->dem : library.raster;
+  const std::string& wanted = library.raster.empty() ? parsed.value->dem : library.raster;
   const auto raster = library.store.raster(wanted);
   if (!raster) {
     throw Problem(
@@ -226,7 +227,7 @@ std::unique_ptr<Work> open_region(const std::string& text, const Library& librar
         {{"/inputs/dem", "there is no raster '" + wanted +
                              "': register it with POST /rasters?name=, see GET /rasters"}});
   }
-  return std::make_unique<Region>(text, std::move(*request.value), *raster,
+  return std::make_unique<Region>(request, std::move(*parsed.value), *raster,
                                   library.data.root() / raster->file);
 }
 

@@ -88,7 +88,7 @@ json body_of(const std::string& schema) {
 std::string operation_id(const Route& route, const std::string& path) {
   std::string id;
   for (const char c : std::string(route.method) + path) {
-    if (std::isalnum(static_cast<unsigned char>(c))) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
       id += c;
     } else if (!id.empty() && id.back() != '_' && c != '}') {
       id += '_';
@@ -133,7 +133,7 @@ void add_executions(json& paths, const Route& route) {
 
 json components() {
   json parameters = openapi_parameters();
-  for (auto& [name, parameter] : parameters.items()) {
+  for (const auto& [name, parameter] : parameters.items()) {
     parameter["name"] = name;
     parameter["in"] = "query";
   }

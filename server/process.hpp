@@ -36,7 +36,7 @@ class Work {
     bool skip = false;     ///< clearly stable: not to be simulated
     std::string reason;    ///< the deciding one
   };
-  virtual std::optional<Screened> screen(const db::SectionRecord&) const { return {}; }
+  virtual std::optional<Screened> screen(const db::SectionRecord& /*section*/) const { return {}; }
 
   /// What the run of a section will take.
   virtual RunSize size(const db::SectionRecord& section) const = 0;
@@ -52,7 +52,7 @@ class Work {
 struct Library {
   const DataFolder& data;
   const db::Store& store;
-  std::string raster = "";  ///< the DEM a stored job stands on; wins over the name in its request
+  std::string raster{};  ///< the DEM a stored job stands on; wins over the name in its request
 };
 
 struct Process {

@@ -71,7 +71,7 @@ bool is_raster_name(const std::string& name) {
   if (name.empty() || name.size() > 100 || name.front() == ' ' || name.back() == ' ') return false;
   if (name.find("..") != std::string::npos || name.starts_with("dem-")) return false;
   return std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return c >= 0x80 || std::isalnum(c) ||
+    return c >= 0x80 || std::isalnum(c) != 0 ||
            std::string_view(" -_.()'").find(static_cast<char>(c)) != std::string_view::npos;
   });
 }

@@ -75,7 +75,7 @@ profiles::RegionLayers region_layers(const db::Store& store, const db::JobRecord
   for (const auto& section : store.sections(job.id)) {
     layers.sections.push_back(section_feature(section));
     auto& made_by = layers.sections.back().made_by;
-    if (!made_by.empty()) made_by = "case " + made_by + dem;
+    if (!made_by.empty()) made_by.insert(0, "case ").append(dem);
   }
   for (const auto& zone : store.zones(job.id)) layers.zones.push_back(zone.zone);
   return layers;

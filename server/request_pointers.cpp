@@ -41,7 +41,7 @@ json input(const json& request, const char* name) {
 }  // namespace
 
 std::string layout_pointer(const json& request, const std::string& pointer) {
-  const std::string all = "/inputs/sections";
+  std::string all = "/inputs/sections";
   if (pointer.empty()) return all;
   const Split parts = split(pointer, true);
   const json sections = input(request, "sections");
@@ -56,7 +56,7 @@ std::string layout_pointer(const json& request, const std::string& pointer) {
 }
 
 std::string soil_pointer(const json& request, const std::string& pointer) {
-  const std::string all = "/inputs/soil";
+  std::string all = "/inputs/soil";
   if (pointer.empty()) return all;
   const Split parts = split(pointer, false);
   const bool several = input(request, "soil").contains("models");

@@ -66,7 +66,9 @@ class ResolutionStudy final : public Work {
     return placed;
   }
 
-  std::vector<Zone> zones(const std::vector<db::SectionRecord>&) const override { return {}; }
+  std::vector<Zone> zones(const std::vector<db::SectionRecord>& /*sections*/) const override {
+    return {};
+  }
 
  private:
   StudyFile asked_;
@@ -75,7 +77,7 @@ class ResolutionStudy final : public Work {
 
 }  // namespace
 
-std::unique_ptr<Work> open_study(const std::string& request, const Library&) {
+std::unique_ptr<Work> open_study(const std::string& request, const Library& /*library*/) {
   return std::make_unique<ResolutionStudy>(parsed_or_problem(request));
 }
 
@@ -84,6 +86,7 @@ std::string study_results(const db::JobRecord& job, const std::vector<db::Sectio
   StudyFile asked = parsed_or_problem(job.request);
   const auto resolutions = solver::study_runs(asked.question.settings);
   std::vector<solver::StudyRun> runs;
+  runs.reserve(sections.size());
   for (const auto& section : sections) {
     runs.push_back({resolutions.at(static_cast<std::size_t>(section.ordinal)), section.result,
                     section.reason});

@@ -20,9 +20,9 @@ struct Route {
   Answer (*handler)(Service& service, const Call& call);
   std::string_view summary;  ///< one line, for /api
   /// Query parameters that the route knows, separated by blanks; any other is refused.
-  std::string_view parameters = "";
+  std::string_view parameters{};
   /// What a success holds, for /api: names of schema/api.json and media types, with blanks between.
-  std::string_view answer = "";
+  std::string_view answer{};
   Role role = Role::read;
 };
 

@@ -30,11 +30,11 @@ class OneSection final : public Work {
 
   std::string raster() const override { return ""; }
 
-  std::string case_file(const db::SectionRecord&) const override {
+  std::string case_file(const db::SectionRecord& /*section*/) const override {
     return to_document(case_).dump(2) + "\n";
   }
 
-  RunSize size(const db::SectionRecord&) const override {
+  RunSize size(const db::SectionRecord& /*section*/) const override {
     return run_size(case_.section, case_.settings);
   }
 
@@ -49,7 +49,9 @@ class OneSection final : public Work {
     return placed;
   }
 
-  std::vector<Zone> zones(const std::vector<db::SectionRecord>&) const override { return {}; }
+  std::vector<Zone> zones(const std::vector<db::SectionRecord>& /*sections*/) const override {
+    return {};
+  }
 
  private:
   CaseFile case_;
@@ -57,7 +59,7 @@ class OneSection final : public Work {
 
 }  // namespace
 
-std::unique_ptr<Work> open_section(const std::string& request, const Library&) {
+std::unique_ptr<Work> open_section(const std::string& request, const Library& /*library*/) {
   auto parsed = parse_simulate_request(request);
   if (!parsed) {
     throw Problem(Failure::invalid_request, "the request cannot be understood", parsed.faults);

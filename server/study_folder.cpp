@@ -38,7 +38,6 @@ class Running {
       if (!run.result) waiting_.push_back(out_.runs.size());
       out_.runs.push_back(std::move(run));
     }
-    found_ = out_.runs.size() - waiting_.size();
   }
 
   StudyRuns to_the_end(const StudyListener& listener) {
@@ -54,8 +53,9 @@ class Running {
 
  private:
   StudyProgress progress() const {
-    const std::size_t done = found_ + next_ - under_way_.size();
-    return {out_.runs.size(), done, under_way_.size(), found_};
+    const std::size_t found = out_.runs.size() - waiting_.size();
+    const std::size_t done = found + next_ - under_way_.size();
+    return {out_.runs.size(), done, under_way_.size(), found};
   }
 
   void start(std::size_t index) {
@@ -95,7 +95,6 @@ class Running {
   StudyRuns out_;
   std::vector<std::size_t> waiting_;  ///< indices of runs, in order
   std::size_t next_ = 0;              ///< of waiting_
-  std::size_t found_ = 0;
   std::map<std::string, std::size_t> under_way_;
 };
 

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -71,7 +72,7 @@ double distance_to_brook(const std::vector<Point>& brook, Point p) {
 
 std::vector<float> elevations() {
   std::vector<Point> brook;  // well beyond the edges of the DEM
-  for (double s = -600; s <= 1200; s += 4) brook.push_back(brook_at(s));
+  for (int s = -600; s <= 1200; s += 4) brook.push_back(brook_at(s));
   std::vector<float> cells;
   cells.reserve(std::size_t{columns} * rows);
   for (int row = 0; row < rows; ++row) {
@@ -124,7 +125,7 @@ void print_lines() {
   std::printf("{\"along\": [");
   for (int s = 0; s <= 450; s += 25) {
     const Point p = brook_at(s);
-    std::printf("%s[%.2f, %.2f]", s ? ", " : "", p.x, p.y);
+    std::printf("%s[%.2f, %.2f]", s > 0 ? ", " : "", p.x, p.y);
   }
   std::printf("], \"spacing_m\": 50, \"upslope_m\": 222, \"downslope_m\": 84}\n");
 }
@@ -133,7 +134,7 @@ void print_lines() {
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::fprintf(stderr, "usage: write_demo_dem DEM.tif | --lines\n");
+    std::cerr << "usage: write_demo_dem DEM.tif | --lines\n";
     return 2;
   }
   if (std::strcmp(argv[1], "--lines") == 0) {
@@ -141,7 +142,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (!write_dem(argv[1])) {
-    std::fprintf(stderr, "write_demo_dem: can't write %s\n", argv[1]);
+    std::cerr << "write_demo_dem: can't write " << argv[1] << '\n';
     return 1;
   }
   return 0;

@@ -79,7 +79,7 @@ int run(const Options& options) {
       return int(ExitCode::interrupted);
     }
     fmt::print("{}", check_line(outcome));
-    std::fflush(stdout);
+    static_cast<void>(std::fflush(stdout));
     outcomes.push_back(std::move(outcome));
   }
   leave(options, outcomes);

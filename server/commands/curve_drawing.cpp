@@ -55,10 +55,9 @@ struct Panel {
 std::vector<double> strain_ticks(const Panel& panel) {
   std::vector<double> ticks;
   if (panel.logarithmic) {
-    for (double t = std::pow(10, std::ceil(std::log10(panel.least) - 1e-9));
-         t <= 1.001 * panel.most; t *= 10) {
-      ticks.push_back(t);
-    }
+    const int first = static_cast<int>(std::ceil(std::log10(panel.least) - 1e-9));
+    const int last = static_cast<int>(std::floor(std::log10(1.001 * panel.most)));
+    for (int decade = first; decade <= last; ++decade) ticks.push_back(std::pow(10, decade));
   } else {
     const double step = tick_step(panel.most);
     for (int i = 0; i * step <= 1.001 * panel.most; ++i) ticks.push_back(i * step);

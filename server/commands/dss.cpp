@@ -73,7 +73,7 @@ std::vector<std::string> faults_of(const ElementCase& clay, const DssOptions& op
                                    const CLI::App& command) {
   std::vector<std::string> faults;
   if (command.count("--rate-per-s") > 0 && !clay.material.rate && !clay.material.flow) {
-    faults.push_back("--rate-per-s is for a material with a rate or a flow law");
+    faults.emplace_back("--rate-per-s is for a material with a rate or a flow law");
   }
   if (options.method == "bare-law") {
     for (const char* name : {"--vertical-stress-kPa", "--particles-per-cell"}) {

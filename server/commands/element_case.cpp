@@ -38,16 +38,17 @@ std::optional<double> peak_at(const Strength& strength, const ElementOptions& op
   const bool by_depth = strength.by == Strength::By::depth;
   const bool by_elevation = strength.by == Strength::By::elevation;
   if (options.depth_m && !by_depth) {
-    faults.push_back("--depth: the peak strength of the material does not vary with depth");
+    faults.emplace_back("--depth: the peak strength of the material does not vary with depth");
   }
   if (options.elevation_m && !by_elevation) {
-    faults.push_back("--elevation: the peak strength of the material does not vary with elevation");
+    faults.emplace_back(
+        "--elevation: the peak strength of the material does not vary with elevation");
   }
   if (by_depth && !options.depth_m) {
-    faults.push_back("--depth is missing: the peak strength varies with depth below ground");
+    faults.emplace_back("--depth is missing: the peak strength varies with depth below ground");
   }
   if (by_elevation && !options.elevation_m) {
-    faults.push_back("--elevation is missing: the peak strength varies with elevation");
+    faults.emplace_back("--elevation is missing: the peak strength varies with elevation");
   }
   if (!faults.empty()) return {};
   return strength.at(options.depth_m.value_or(0), options.elevation_m.value_or(0));

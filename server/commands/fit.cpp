@@ -42,9 +42,10 @@ solver::LabFile read(const FitOptions& options) {
 void check_energy(const solver::EnergyCurve& energy, const FitOptions& options,
                   std::vector<std::string>& faults) {
   if (!options.peak_kPa)
-    faults.push_back("--peak-strength-kPa is missing: an energy curve has none");
+    faults.emplace_back("--peak-strength-kPa is missing: an energy curve has none");
   if (!options.preconsolidation_kPa) {
-    faults.push_back("--preconsolidation-kPa is missing: energies are multiples of 0.013 times it");
+    faults.emplace_back(
+        "--preconsolidation-kPa is missing: energies are multiples of 0.013 times it");
   }
   for (std::size_t i = 0; i < energy.remolding_index.size(); ++i) {
     if (energy.remolding_index[i] > 1 || energy.normalized_energy[i] < 1) {
@@ -59,11 +60,11 @@ void check_energy(const solver::EnergyCurve& energy, const FitOptions& options,
 
 void check_stress_strain(const FitOptions& options, std::vector<std::string>& faults) {
   if (options.peak_kPa) {
-    faults.push_back(
+    faults.emplace_back(
         "--peak-strength-kPa: the curve has its own peak; only energy curves need one");
   }
   if (options.preconsolidation_kPa) {
-    faults.push_back("--preconsolidation-kPa is for energy curves only");
+    faults.emplace_back("--preconsolidation-kPa is for energy curves only");
   }
 }
 
@@ -72,7 +73,7 @@ std::optional<solver::LabCurve> lab_curve(const FitOptions& options,
   const solver::LabFile file = read(options);
   for (const auto& fault : file.faults) faults.push_back(options.file + ": " + fault);
   if (options.residual_kPa && options.fit_residual) {
-    faults.push_back("--residual-strength-kPa and --fit-residual-strength exclude each other");
+    faults.emplace_back("--residual-strength-kPa and --fit-residual-strength exclude each other");
   }
   if (file.energy) check_energy(*file.energy, options, faults);
   if (file.stress_strain) check_stress_strain(options, faults);

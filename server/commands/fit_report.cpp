@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "server/commands/curve_drawing.hpp"
 #include "server/documents/softening_names.hpp"
 #include "solver/materials/softening.hpp"
@@ -33,6 +35,7 @@ std::vector<double> predicted(const SofteningLaw& law, const Fits& fits,
   softening.regularization = Regularization::none;
   const auto curve = solver::softening_curve(softening, fits.curve.peak_Pa, 1);
   std::vector<double> stress;
+  stress.reserve(strains.size());
   for (const double strain : strains) stress.push_back(solver::strength(curve, strain));
   return stress;
 }
@@ -116,7 +119,8 @@ std::string fit_table(const Fits& fits, const FitOptions& options) {
 std::string fit_drawing(const Fits& fits, const FitOptions& options) {
   std::vector<double> strains;
   const double end = 1.2 * *fits.urmi.law.remolded_strain;
-  for (double s = 1e-3; s < end; s *= 1.02) strains.push_back(s);
+  const int count = static_cast<int>(std::ceil(std::log(end / 1e-3) / std::log(1.02)));
+  for (int i = 0; i < count; ++i) strains.push_back(1e-3 * std::pow(1.02, i));
   std::vector<DrawnCurve> curves{{"test", fits.curve.strain, fits.curve.stress_Pa, true},
                                  {"Urmi et al.", strains, predicted(fits.urmi.law, fits, strains)}};
   if (fits.strain_95.faults.empty()) {

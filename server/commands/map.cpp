@@ -59,7 +59,7 @@ bool is_finished(const db::JobRecord& job) {
 db::JobRecord follow(const Service& service, const std::string& id, bool silent) {
   const bool terminal = !silent && isatty(STDERR_FILENO) != 0;
   for (;;) {
-    const auto job = job_or_problem(service.store, id);
+    auto job = job_or_problem(service.store, id);
     if (terminal) fmt::print(stderr, "\r\033[K{:3d} %  {}", job.progress, job.message);
     if (is_finished(job)) {
       if (terminal) fmt::print(stderr, "\n");

@@ -58,8 +58,9 @@ class EndSignals {
     sigaddset(&signals_, SIGTERM);
     sigaddset(&signals_, SIGINT);
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-    signal(SIGPIPE, SIG_IGN);
-    signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files tells itself as an error
+    static_cast<void>(signal(SIGPIPE, SIG_IGN));
+    // A limit on the size of files tells itself as an error.
+    static_cast<void>(signal(SIGXFSZ, SIG_IGN));
   }
   int wait() const {
     int heard = 0;
@@ -92,7 +93,7 @@ int serve(const Options& options) {
     const nlohmann::json where = {{"url", service.url}, {"pid", getpid()}};
     write_whole(service.data.server_file(), where.dump(2) + "\n");
     fmt::print("leda serves {}\n", service.url);
-    std::fflush(stdout);
+    static_cast<void>(std::fflush(stdout));
     log_info("-", "serves url={} tokens={}", service.url, wanted.tokens.required());
     const int heard = end.wait();
     log_info("-", "ends signal={}", heard);

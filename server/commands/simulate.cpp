@@ -77,7 +77,7 @@ RunOutcome run(const Options& options, const RunOptions& run_options) {
 int simulate(const Options& options) {
   const InterruptSignals signals;
   // A limit on the size of files then tells itself as an error, like a full disk.
-  std::signal(SIGXFSZ, SIG_IGN);
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
   RunOptions run_options;
   run_options.full = options.full;

@@ -136,25 +136,32 @@ Extent extent_of(const ComparedSection& s) {
   return e;
 }
 
+std::vector<double> multiples(double step, double least, double most) {
+  std::vector<double> values;
+  const auto first = static_cast<long>(std::ceil(least / step));
+  const auto last = static_cast<long>(std::floor(most / step));
+  for (long i = first; i <= last; ++i) values.push_back(static_cast<double>(i) * step);
+  return values;
+}
+
 std::string axes(const Scale& scale, const Range& x, double top_m, double top) {
   const double right = margin_left + x.size() * scale.pixels_per_m;
   std::string out = fmt::format(
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#ffffff\" "
       "stroke=\"#999999\"/>\n",
       margin_left, top, right - margin_left, scale.bottom - top);
-  // v + 0.0 turns a -0 into 0.
   const char* grid = "stroke=\"#e4e4e4\"";
   const double step_x = round_step(x.size(), 12);
-  for (double v = std::ceil(x.low / step_x) * step_x; v <= x.high; v += step_x) {
+  for (const double v : multiples(step_x, x.low, x.high)) {
     const double at = scale.x(v + scale.toe_x);
     out += line(at, top, at, scale.bottom, grid);
-    out += text_at(at, scale.bottom + 16, "middle", fmt::format("{:.6g}", v + 0.0));
+    out += text_at(at, scale.bottom + 16, "middle", fmt::format("{:.6g}", v));
   }
   const double step_z = round_step((scale.bottom - top) / scale.pixels_per_m,
                                    std::clamp((scale.bottom - top) / 30, 2.0, 8.0));
-  for (double v = std::ceil(scale.bottom_m / step_z) * step_z; v <= top_m; v += step_z) {
+  for (const double v : multiples(step_z, scale.bottom_m, top_m)) {
     out += line(margin_left, scale.y(v), right, scale.y(v), grid);
-    out += text_at(margin_left - 6, scale.y(v) + 4, "end", fmt::format("{:.6g}", v + 0.0));
+    out += text_at(margin_left - 6, scale.y(v) + 4, "end", fmt::format("{:.6g}", v));
   }
   out +=
       text_at((margin_left + right) / 2, scale.bottom + 33, "middle", "distance from the toe (m)");

@@ -18,15 +18,15 @@ class SyntaxCheck : public nlohmann::json_sax<json> {
   FaultList faults;
 
   bool null() override { return next(); }
-  bool boolean(bool) override { return next(); }
-  bool number_integer(number_integer_t) override { return next(); }
-  bool number_unsigned(number_unsigned_t) override { return next(); }
-  bool number_float(number_float_t, const string_t&) override { return next(); }
-  bool string(string_t&) override { return next(); }
-  bool binary(binary_t&) override { return next(); }
+  bool boolean(bool /*value*/) override { return next(); }
+  bool number_integer(number_integer_t /*value*/) override { return next(); }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return next(); }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return next(); }
+  bool string(string_t& /*value*/) override { return next(); }
+  bool binary(binary_t& /*value*/) override { return next(); }
 
-  bool start_object(std::size_t) override { return enter(true); }
-  bool start_array(std::size_t) override { return enter(false); }
+  bool start_object(std::size_t /*members*/) override { return enter(true); }
+  bool start_array(std::size_t /*members*/) override { return enter(false); }
   bool end_object() override { return leave(); }
   bool end_array() override { return leave(); }
 
@@ -37,7 +37,8 @@ class SyntaxCheck : public nlohmann::json_sax<json> {
     return true;
   }
 
-  bool parse_error(std::size_t, const std::string&, const json::exception& error) override {
+  bool parse_error(std::size_t /*at*/, const std::string& /*token*/,
+                   const json::exception& error) override {
     // nlohmann: 101 syntax, with line and column; 406 a number beyond the range of a double.
     faults.add(error.id == 406 ? pointer() : "",
                error.id == 406 ? "is a number too large to be read" : reason(error.what()));

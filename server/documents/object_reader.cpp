@@ -160,7 +160,7 @@ std::string ObjectReader::text(std::string_view key, std::size_t most) {
 
 std::string ObjectReader::text_or_empty(std::string_view key, std::size_t most) {
   const json* member = require(key);
-  if (!member || *member == "") return {};
+  if (!member || (member->is_string() && member->get_ref<const std::string&>().empty())) return {};
   return read_text(*member, at(key), most, faults_);
 }
 

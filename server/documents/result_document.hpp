@@ -12,7 +12,7 @@ namespace leda::server {
 
 /// Never holds a value that is not finite: such a result becomes unstable, its reason names the
 /// value, and 0 stands in its place.
-nlohmann::json to_document(const SectionResult& result);
+nlohmann::json to_document(const SectionResult& as_run);
 
 /// The document as written to result.json: two spaces of indent, a line feed at the end.
 std::string result_text(const SectionResult& result);

@@ -111,7 +111,7 @@ std::string value_of(const std::string& word, std::istream& lines) {
 
 }  // namespace
 
-RunCheckpoint::RunCheckpoint(fs::path folder, std::string sha256, std::string version)
+RunCheckpoint::RunCheckpoint(const fs::path& folder, std::string sha256, std::string version)
     : state_file_(folder / state_name),
       frames_file_(folder / frames_name),
       sha256_(std::move(sha256)),

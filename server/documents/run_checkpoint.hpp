@@ -16,7 +16,7 @@ class RunCheckpoint {
  public:
   /// @param sha256 of the case
   /// @param version of the program
-  RunCheckpoint(std::filesystem::path folder, std::string sha256, std::string version);
+  RunCheckpoint(const std::filesystem::path& folder, std::string sha256, std::string version);
 
   /// What stands in the folder.
   struct Left {

@@ -1,5 +1,7 @@
 #include "server/documents/screening_document.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <string>
@@ -142,7 +144,9 @@ void add_missing(json& reasons, const char* what, const FactorsOfSafety& factors
 /// The decision's reasons first, then why each null is null.
 json all_reasons(const solver::ScreeningResult& r) {
   json reasons = r.reasons;
-  for (const auto& [what, why] : r.analytics.missing) reasons.push_back(what + " is null: " + why);
+  for (const auto& [what, why] : r.analytics.missing) {
+    reasons.push_back(fmt::format("{} is null: {}", what, why));
+  }
   add_missing(reasons, "drained", r.drained);
   add_missing(reasons, "undrained", r.undrained);
   add_missing(reasons, "undrained_toe_cut", r.undrained_toe_cut);

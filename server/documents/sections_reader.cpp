@@ -70,7 +70,7 @@ SectionsAlong read_along(const json& value, const std::string& at, std::size_t m
 
 void check_count(const SectionLayout& layout, const std::string& at, std::size_t most,
                  FaultList& faults) {
-  double count = double(layout.lines.size());
+  auto count = double(layout.lines.size());
   for (const SectionsAlong& a : layout.along) {
     if (a.spacing_m > 0) count += std::floor(length_of(a.along) / a.spacing_m) + 1;
   }

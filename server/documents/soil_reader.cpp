@@ -18,7 +18,7 @@ Strength read_strength_table(const json& value, const std::string& at, FaultList
   const json* depth = reader.find("at_depth_m");
   const json* elevation = reader.find("at_elevation_m");
   reader.refuse_unknown();
-  if (!depth == !elevation) {
+  if ((depth == nullptr) == (elevation == nullptr)) {
     faults.add(at, "must have exactly one of at_depth_m and at_elevation_m");
     return strength;
   }

@@ -91,9 +91,11 @@ struct Axis {
   std::vector<double> ticks() const {
     const bool long_range = most / least > 300;
     std::vector<double> values;
-    for (double power = std::pow(10, std::floor(std::log10(least))); power <= most; power *= 10) {
+    const int first = static_cast<int>(std::floor(std::log10(least)));
+    const int last = static_cast<int>(std::floor(std::log10(most)));
+    for (int decade = first; decade <= last; ++decade) {
       for (const double factor : {1.0, 2.0, 5.0}) {
-        const double value = factor * power;
+        const double value = factor * std::pow(10, decade);
         if (long_range && factor > 1) continue;
         if (value >= 0.999 * least && value <= 1.001 * most) values.push_back(value);
       }

@@ -15,7 +15,7 @@ std::string percent(double fraction) { return fmt::format("{:.1f} %", 100 * frac
 /// "106.5 +- 1.2"
 std::string short_form(const std::optional<Spread>& spread, double factor, int digits) {
   if (!spread) return "-";
-  const std::string mean = fmt::format("{:.{}f}", factor * spread->mean, digits);
+  std::string mean = fmt::format("{:.{}f}", factor * spread->mean, digits);
   if (!spread->standard_deviation) return mean;
   return fmt::format("{} \u00b1 {:.{}f}", mean, factor * *spread->standard_deviation, digits);
 }

@@ -115,7 +115,7 @@ Answer get_collection(Service& service, const Call& call) {
   return json_answer(collection_document(service, collection_or_problem(call.captured[0])));
 }
 
-Answer get_schema(Service&, const Call& call) {
+Answer get_schema(Service& /*service*/, const Call& call) {
   format(call, {"json"});
   Answer answer = json_answer(schema_of(collection_or_problem(call.captured[0])));
   answer.type = "application/schema+json";

@@ -26,9 +26,11 @@ std::string hindrance(const Service& service) {
 
 }  // namespace
 
-Answer get_healthz(Service&, const Call&) { return json_answer({{"status", "ok"}}); }
+Answer get_healthz(Service& /*service*/, const Call& /*call*/) {
+  return json_answer({{"status", "ok"}});
+}
 
-Answer get_readyz(Service& service, const Call&) {
+Answer get_readyz(Service& service, const Call& /*call*/) {
   const std::string reason = hindrance(service);
   if (reason.empty()) return json_answer({{"status", "ready"}});
   Answer answer = json_answer({{"status", "not ready"}, {"reason", reason}}, 503);
@@ -36,7 +38,7 @@ Answer get_readyz(Service& service, const Call&) {
   return answer;
 }
 
-Answer get_metrics(Service& service, const Call&) {
+Answer get_metrics(Service& service, const Call& /*call*/) {
   Answer answer;
   answer.type = "text/plain; version=0.0.4";
   Metrics::Now now;

@@ -60,7 +60,7 @@ Answer get_landing(Service& service, const Call& call) {
   return answer;
 }
 
-Answer get_conformance(Service&, const Call& call) {
+Answer get_conformance(Service& /*service*/, const Call& call) {
   format(call, {"json"});
   json classes = json::array();
   for (const char* name :

@@ -38,9 +38,9 @@ json summary_of(const Process& process, const std::string& url) {
 
 /// Header values arrive percent-decoded, so a key may hold anything until it is checked.
 std::string idempotency_key(const Call& call) {
-  const std::string key = call.header("Idempotency-Key");
+  std::string key = call.header("Idempotency-Key");
   const bool sound = key.size() <= 128 && std::all_of(key.begin(), key.end(), [](unsigned char c) {
-                       return std::isalnum(c) || c == '-' || c == '_' || c == '.' || c == ':';
+                       return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.' || c == ':';
                      });
   if (!sound) {
     throw Problem(Failure::invalid_request,
