@@ -144,7 +144,8 @@ TEST(HouseRules, AMachinePathIsNoticed) {
   for (const std::string folder : {"work", "root"}) {
     const std::string start = "/" + folder + "/";
     for (const std::string before : {"", " ", "\"", "'", "=", ": ", "`", "("}) {
-      const auto found = machine_paths(with("README.md", "one\n" + before + start + "x\n"));
+      const std::string text = std::string("one\n").append(before).append(start).append("x\n");
+      const auto found = machine_paths(with("README.md", text));
       ASSERT_EQ(found.size(), 1U) << before << start;
       EXPECT_EQ(found[0].line, 2);
     }

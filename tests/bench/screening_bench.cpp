@@ -15,7 +15,7 @@ test::GeneratedCase nth(std::uint64_t i) { return test::generate_case(1 + i % re
 
 void undrained_bishop_of_a_section(benchmark::State& state) {
   std::uint64_t i = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     state.PauseTiming();
     const test::GeneratedCase c = nth(i++);
     state.ResumeTiming();
@@ -26,7 +26,7 @@ BENCHMARK(undrained_bishop_of_a_section)->Unit(benchmark::kMillisecond);
 
 void decision_of_a_section(benchmark::State& state) {
   std::uint64_t i = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     state.PauseTiming();
     const test::GeneratedCase c = nth(i++);
     state.ResumeTiming();
@@ -37,7 +37,7 @@ BENCHMARK(decision_of_a_section)->Unit(benchmark::kMillisecond);
 
 void everything_of_a_section(benchmark::State& state) {
   std::uint64_t i = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     state.PauseTiming();
     const test::GeneratedCase c = nth(i++);
     state.ResumeTiming();
@@ -47,7 +47,7 @@ void everything_of_a_section(benchmark::State& state) {
 BENCHMARK(everything_of_a_section)->Unit(benchmark::kMillisecond);
 
 void decision_of_a_region_of_500(benchmark::State& state) {
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (std::uint64_t i = 0; i < region_size; ++i) {
       const test::GeneratedCase c = nth(i);
       benchmark::DoNotOptimize(solver::screen_quickly(c.section, c.settings));

@@ -35,7 +35,7 @@ class Timer {
       seconds_ += took;
       rest();
     }
-    const double steps = static_cast<double>(state_.iterations());
+    const auto steps = static_cast<double>(state_.iterations());
     state_.counters["ns_per_particle"] = 1e9 * seconds_ / (steps * particles);
     state_.counters["particles"] = particles;
   }
@@ -89,7 +89,7 @@ void packed_step(benchmark::State& state) {
   std::size_t windows = 0;
   for (std::size_t i = 1; i < stage->packs.place.size(); ++i) {
     const auto &a = stage->packs.place[i - 1], &b = stage->packs.place[i];
-    windows += a.row != b.row || a.column != b.column;
+    windows += static_cast<unsigned long>(a.row != b.row || a.column != b.column);
   }
   state.counters["packs_per_window"] =
       static_cast<double>(stage->packs.pack.size()) / static_cast<double>(windows);

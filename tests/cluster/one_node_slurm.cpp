@@ -61,7 +61,8 @@ void OneNodeSlurm::call(const std::string& what, const std::string& daemon) {
 int OneNodeSlurm::completed(const std::string& text) const {
   std::ifstream in(completion_file());
   int lines = 0;
-  for (std::string line; std::getline(in, line);) lines += line.find(text) != std::string::npos;
+  for (std::string line; std::getline(in, line);)
+    lines += static_cast<int>(line.find(text) != std::string::npos);
   return lines;
 }
 

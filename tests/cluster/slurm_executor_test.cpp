@@ -54,7 +54,7 @@ class SlurmExecutorTest : public testing::Test {
   }
 
   std::filesystem::path program(const std::string& body) {
-    const auto file = folder.path() / "worker.sh";
+    auto file = folder.path() / "worker.sh";
     std::ofstream(file) << "#!/bin/sh\n" << body << "\n";
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
     return file;

@@ -32,6 +32,7 @@ class FeaturePage : public ::testing::Test {
 
   static std::vector<std::string> names(const std::vector<SectionRecord>& page) {
     std::vector<std::string> found;
+    found.reserve(page.size());
     for (const auto& section : page) found.push_back(section.job + " " + section.name);
     return found;
   }

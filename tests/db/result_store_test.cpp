@@ -157,6 +157,7 @@ TEST_F(ResultStore, ManyTakersBookOneResult) {
   Store other(folder / "leda.sqlite");
   std::atomic<int> taken = 0;
   std::vector<std::thread> threads;
+  threads.reserve(8);
   for (int i = 0; i < 8; ++i)
     threads.emplace_back([&, i] {
       Store& mine = i % 2 == 0 ? store : other;

@@ -78,6 +78,7 @@ inline SectionRecord section(const std::string& name, int ordinal) {
 
 inline std::vector<SectionRecord> layout(int count) {
   std::vector<SectionRecord> all;
+  all.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) all.push_back(section(numbered("S", i + 1), i));
   return all;
 }

@@ -49,6 +49,7 @@ TEST(StoreFile, TwoStoresSeeEachOthersRows) {
 TEST(StoreFile, StoresOpenedAtOnceMigrateOnce) {
   const ScratchFolder folder;
   std::vector<std::thread> threads;
+  threads.reserve(6);
   for (int i = 0; i < 6; ++i)
     threads.emplace_back([&, i] {
       Store store(folder / "leda.sqlite");
@@ -83,6 +84,7 @@ TEST(StoreFile, ThreadsThatWriteTakeTurns) {
   const ScratchFolder folder;
   Store store(folder / "leda.sqlite");
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int i = 0; i < 4; ++i)
     threads.emplace_back([&, i] {
       for (int k = 0; k < 25; ++k) {

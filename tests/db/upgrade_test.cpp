@@ -93,7 +93,9 @@ std::map<std::string, std::vector<std::string>> rows_of(Database& database,
   std::map<std::string, std::vector<std::string>> rows;
   database.read([&] {
     for (const auto& [table, list] : columns) {
-      rows[table] = texts(database, "SELECT " + list + " FROM " + table + " ORDER BY 1");
+      rows[table] = texts(
+          database,
+          std::string("SELECT ").append(list).append(" FROM ").append(table).append(" ORDER BY 1"));
     }
   });
   return rows;

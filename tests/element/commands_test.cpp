@@ -53,7 +53,7 @@ class Commands : public testing::Test {
     const std::string line = "cd '" + folder_.string() + "' && " + LEDA_BINARY + " " + arguments;
     FILE* pipe = popen(("( " + line + " ) 2>&1").c_str(), "r");
     Said said{-1, {}};
-    std::array<char, 4096> part;
+    std::array<char, 4096> part{};
     while (std::size_t n = fread(part.data(), 1, part.size(), pipe))
       said.out.append(part.data(), n);
     said.code = WEXITSTATUS(pclose(pipe));

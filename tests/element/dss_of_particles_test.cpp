@@ -55,7 +55,7 @@ TEST(DssOfParticles, FollowsTheLawAtEverySiteInSpecimenAndCell) {
       const DssCurve curve = dss_of_particles(m, peak, {cell, 4, 0, {}});
       const double off = distance(curve, bare(m, peak, cell), peak);
       EXPECT_LT(off, 0.01) << row.text("site") << " at " << cell << " m";
-      EXPECT_GT(curve.points.size(), 100u);
+      EXPECT_GT(curve.points.size(), 100U);
       RecordProperty(row.text("site") + "_" + std::to_string(cell), std::to_string(off));
     }
   }

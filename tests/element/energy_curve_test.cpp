@@ -18,7 +18,7 @@ TEST(EnergyCurve, PeakStrainOfTheSitesOfTable31) {
   for (const auto& row : test::table("tavenas_sites.csv")) {
     const LabCurve curve = to_stress_strain({}, 1000 * row["peak_kPa"], 1000 * row["remolded_kPa"],
                                             1000 * row["preconsolidation_kPa"]);
-    ASSERT_EQ(curve.strain.size(), 2u);
+    ASSERT_EQ(curve.strain.size(), 2U);
     EXPECT_NEAR(curve.strain.back(), row["peak_strain"], 1e-6) << row.text("site");
     EXPECT_DOUBLE_EQ(curve.stress_Pa.back(), 1000 * row["peak_kPa"]);
   }
@@ -28,7 +28,7 @@ TEST(EnergyCurve, TwoStepsByHand) {
   // s_up 40, s_ur 2 kPa, sigma'_p 100 kPa: w_LS 1.3 kPa, gamma_p 0.065.
   // I_r 0.5 at w_N 5: s 21; gamma 0.065 + 2 x 5.2/61. I_r 0.9 at w_N 15: s 5.8; + 2 x 13/26.8.
   const LabCurve c = to_stress_strain({{0.5, 0.9}, {5, 15}}, 40e3, 2e3, 100e3);
-  ASSERT_EQ(c.strain.size(), 4u);
+  ASSERT_EQ(c.strain.size(), 4U);
   EXPECT_NEAR(c.stress_Pa[2], 21e3, 1e-9);
   EXPECT_NEAR(c.strain[2], 0.065 + 10.4 / 61, 1e-12);
   EXPECT_NEAR(c.stress_Pa[3], 5.8e3, 1e-9);
@@ -44,7 +44,8 @@ TEST(EnergyCurve, GivesBackTheLawItWasMadeFrom) {
   const double limit = limit_state_energy(preconsolidation);
   EnergyCurve energy;
   std::vector<double> plastic;
-  for (double g = 0.01; g < 30; g *= 1.02) {
+  for (int i = 0; i < 405; ++i) {  // to 29.8
+    const double g = 0.01 * std::pow(1.02, i);
     plastic.push_back(g);
     energy.remolding_index.push_back((peak - strength(curve, g)) / (peak - remolded));
     energy.normalized_energy.push_back(1 + dissipation(curve, g) / limit);

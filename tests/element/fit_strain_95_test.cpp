@@ -80,7 +80,7 @@ TEST(Strain95, UsesTheLastPointWhereTheTestEndsEarlier) {
   EXPECT_NEAR(fit.strain_used, 0.2, 1e-12);
   EXPECT_LT(fit.reduction_used, 0.5);
   EXPECT_NEAR(fit.law.strain_95, 1.48, 1e-9);
-  EXPECT_EQ(fit.warnings.size(), 1u);
+  EXPECT_EQ(fit.warnings.size(), 1U);
 }
 
 TEST(Strain95, RefusesACurveThatDoesNotFall) {

@@ -21,7 +21,7 @@ TEST(LabFile, ReadsPercentAndKilopascal) {
   ASSERT_TRUE(file.faults.empty()) << file.faults.front();
   ASSERT_TRUE(file.stress_strain.has_value());
   EXPECT_FALSE(file.energy.has_value());
-  ASSERT_EQ(file.stress_strain->strain.size(), 3u);
+  ASSERT_EQ(file.stress_strain->strain.size(), 3U);
   EXPECT_DOUBLE_EQ(file.stress_strain->strain[1], 0.03);
   EXPECT_DOUBLE_EQ(file.stress_strain->stress_Pa[2], 44500);
 }
@@ -36,7 +36,7 @@ TEST(LabFile, ReadsEnergyCurvesInAnyColumnOrder) {
 
 TEST(LabFile, NamesEveryFaultWithItsLine) {
   const LabFile file = read("shear_strain,shear_stress_kPa\n0,0\n0.1,abc\n0.2\n0.1,-3\n0.3,inf\n");
-  ASSERT_EQ(file.faults.size(), 5u);
+  ASSERT_EQ(file.faults.size(), 5U);
   EXPECT_EQ(file.faults[0], "line 3: shear_stress_kPa is \"abc\", not a finite number");
   EXPECT_EQ(file.faults[1], "line 4: shear_stress_kPa is missing");
   EXPECT_EQ(file.faults[2], "line 5: shear_strain goes back: rows must be in order");
@@ -48,14 +48,14 @@ TEST(LabFile, RefusesAnEmptyFileAndAnUnknownHeader) {
   EXPECT_FALSE(read("").faults.empty());
   EXPECT_FALSE(read("# nothing\n").faults.empty());
   const LabFile file = read("strain,stress\n0,0\n");
-  ASSERT_EQ(file.faults.size(), 1u);
+  ASSERT_EQ(file.faults.size(), 1U);
   EXPECT_NE(file.faults[0].find("shear_strain_percent"), std::string::npos);
 }
 
 TEST(LabFile, AHostileFileGivesFewFaults) {
   std::string text = "shear_strain,shear_stress_kPa\n";
   for (int i = 0; i < 5000; ++i) text += "x,y\n";
-  EXPECT_EQ(read(text).faults.size(), 20u);
+  EXPECT_EQ(read(text).faults.size(), 20U);
 }
 
 }  // namespace

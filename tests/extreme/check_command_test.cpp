@@ -30,7 +30,7 @@ class CheckCommand : public testing::Test {
     const std::string line =
         "cd '" + folder_.string() + "' && " + LEDA_PROGRAM + " check " + arguments + " 2>&1";
     FILE* pipe = popen(line.c_str(), "r");
-    std::array<char, 4096> part;
+    std::array<char, 4096> part{};
     said_.clear();
     while (const std::size_t n = fread(part.data(), 1, part.size(), pipe))
       said_.append(part.data(), n);

@@ -20,7 +20,7 @@ using namespace leda;
 const fs::path& folder() {
   static const fs::path made = [] {
     const fs::path memory = fs::is_directory("/dev/shm") ? "/dev/shm" : fs::temp_directory_path();
-    const fs::path unique = memory / ("leda-fuzz-" + std::to_string(getpid()));
+    fs::path unique = memory / ("leda-fuzz-" + std::to_string(getpid()));
     fs::create_directories(unique);
     return unique;
   }();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ranges>
 
 namespace leda {
 namespace {
@@ -11,7 +12,7 @@ const Polyline sainte_monique{{0, 21.7}, {183, 21.7}, {220, 5}, {224, 5}, {249, 
 
 Polyline mirrored(const Polyline& ground, double width) {
   Polyline result;
-  for (auto p = ground.rbegin(); p != ground.rend(); ++p) result.push_back({width - p->x, p->z});
+  for (const Point& p : std::views::reverse(ground)) result.push_back({width - p.x, p.z});
   return result;
 }
 
@@ -63,7 +64,8 @@ TEST(CrestAndToe, AFaceThatIsSteepBelowAndGentlerAboveIsOneBank) {
 // and a flood plain with a channel: found within a few metres of where a person puts them.
 TEST(CrestAndToe, RoundedGroundWithABenchAndTalus) {
   Polyline ground;
-  for (double x = 0; x <= 400; x += 0.5) {
+  for (int i = 0; i <= 800; ++i) {
+    const double x = 0.5 * i;
     double z = 0;
     if (x < 200) {
       z = 30 - 0.02 * x;

@@ -36,7 +36,7 @@ TEST(DemoDem, EverySectionShowsTheBankOfTheThesis) {
   for (const LaidSection& section : laid.sections) {
     const auto cut = trace_profile(section, dem);
     ASSERT_TRUE(std::holds_alternative<Profile>(cut)) << section.name;
-    const Profile& profile = std::get<Profile>(cut);
+    const auto& profile = std::get<Profile>(cut);
     EXPECT_NEAR(profile.bank.crest.z, 21.7, 0.3) << section.name;
     EXPECT_NEAR(profile.bank.toe.z, 5.0, 0.3) << section.name;
     EXPECT_NEAR(profile.bank.toe.x - profile.bank.crest.x, 37, 1.5) << section.name;

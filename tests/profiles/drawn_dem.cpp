@@ -2,9 +2,9 @@
 
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
-#include <stdlib.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 

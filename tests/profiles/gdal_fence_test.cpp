@@ -34,7 +34,7 @@ class Listener {
     address_.sin_family = AF_INET;
     address_.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof(address_);
-    bind(socket_, reinterpret_cast<sockaddr*>(&address_), size);
+    EXPECT_EQ(bind(socket_, reinterpret_cast<sockaddr*>(&address_), size), 0);
     listen(socket_, 8);
     getsockname(socket_, reinterpret_cast<sockaddr*>(&address_), &size);
   }

@@ -67,7 +67,8 @@ TEST_F(LayOut, SectionsStandAcrossTheLineUphillSideFirst) {
 TEST_F(LayOut, AJaggedLineIsSmoothed) {
   const Dem dem = open(valley);
   MapLine jagged;
-  for (int i = 0; i <= 80; ++i) jagged.push_back({100 + 10.0 * i, 500 + (i % 2 ? 4.0 : -4.0)});
+  for (int i = 0; i <= 80; ++i)
+    jagged.push_back({100 + 10.0 * i, 500 + ((i % 2) != 0 ? 4.0 : -4.0)});
   const Layout laid = lay_out_sections({{}, {{jagged, 100, 150, 80}}}, dem);
   ASSERT_GE(laid.sections.size(), 8U);
   for (const LaidSection& s : laid.sections) {

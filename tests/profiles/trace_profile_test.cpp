@@ -40,7 +40,7 @@ LaidSection section_at(double x) {
 TEST_F(Trace, FindsTheBreaksOfAPlainBank) {
   const auto cut = trace_profile(section_at(100), open(bank));
   ASSERT_TRUE(std::holds_alternative<Profile>(cut));
-  const Profile& profile = std::get<Profile>(cut);
+  const auto& profile = std::get<Profile>(cut);
   EXPECT_NEAR(profile.bank.crest.x, 90, 1.5);
   EXPECT_NEAR(profile.bank.crest.z, 20, 0.2);
   EXPECT_NEAR(profile.bank.toe.x, 130, 1.5);
@@ -80,7 +80,7 @@ TEST_F(Trace, MissingDataBeyondTheToeShortensTheSection) {
   const auto ground = [](MapPoint p) { return p.y < 215 ? std::nan("") : bank(p); };
   const auto cut = trace_profile(section_at(100), open(ground));
   ASSERT_TRUE(std::holds_alternative<Profile>(cut));
-  const Profile& profile = std::get<Profile>(cut);
+  const auto& profile = std::get<Profile>(cut);
   EXPECT_NEAR(profile.ground.back().x, 174, 1.5);
   EXPECT_NEAR(length_of(profile.trace), profile.ground.back().x, 1e-9);
   ASSERT_EQ(profile.warnings.size(), 1U);
@@ -91,7 +91,7 @@ TEST_F(Trace, MissingDataAtTheStartMovesTheStart) {
   const auto ground = [](MapPoint p) { return p.y > 350 ? std::nan("") : bank(p); };
   const auto cut = trace_profile(section_at(100), open(ground));
   ASSERT_TRUE(std::holds_alternative<Profile>(cut));
-  const Profile& profile = std::get<Profile>(cut);
+  const auto& profile = std::get<Profile>(cut);
   EXPECT_DOUBLE_EQ(profile.ground.front().x, 0);
   EXPECT_NEAR(profile.trace.front().y, 349, 1.5);
   EXPECT_NEAR(profile.trace.front().y - profile.bank.crest.x, 300, 1.5);

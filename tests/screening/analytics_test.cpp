@@ -25,7 +25,7 @@ TEST(Analytics, OfACompleteSiteLackOnlyWhatNeedsThePreconsolidation) {
   Site site = sainte_monique();
   site.slope_angle_deg = 24;
   const Analytics a = analyse(site);
-  EXPECT_EQ(a.missing.size(), 1u);
+  EXPECT_EQ(a.missing.size(), 1U);
   EXPECT_TRUE(a.missing.contains("limit_state_energy"));
   EXPECT_NEAR(*a.stability_number, 17.7778, 1e-4);
   EXPECT_NEAR(*a.remolding.complete_curve, 36014, 5);

@@ -65,9 +65,14 @@ double brute_force_taylor(double slope_deg, double depth_factor) {
   const double run = 1 / std::tan(slope_deg * std::numbers::pi / 180);
   const auto ground = [&](double x) { return x < 0 ? 1.0 : x > run ? 0.0 : 1 - x / run; };
   double least = 1e9;
-  for (double cx = -0.5 * run; cx <= 1.5 * run + 0.5; cx += 0.05) {
-    for (double cz = 1.05; cz < 6; cz += 0.1) {
-      for (double depth = -0.9; depth <= depth_factor - 1 + 1e-9; depth += 0.05) {
+  const auto columns = std::lround((2 * run + 0.5) / 0.05),
+             depths = std::lround((depth_factor - 0.1) / 0.05);
+  for (long column = 0; column <= columns; ++column) {
+    const double cx = -0.5 * run + 0.05 * static_cast<double>(column);
+    for (int row = 0; row < 50; ++row) {
+      const double cz = 1.05 + 0.1 * row;
+      for (long down = 0; down <= depths; ++down) {
+        const double depth = -0.9 + 0.05 * static_cast<double>(down);
         const double radius = cz + depth;
         double moment = 0;
         double from = 1e9;

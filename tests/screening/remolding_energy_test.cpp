@@ -34,7 +34,7 @@ double integrate(const PostPeakCurve& c, double from, double to, double exp_end)
 TEST(RemoldingEnergy, IsRightAtTheSevenSites) {
   const auto sites = table("thesis_tables_3_3_3_4.csv");
   const auto energies = table("thesis_table_3_5.csv");
-  ASSERT_EQ(sites.size(), 7u);
+  ASSERT_EQ(sites.size(), 7U);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     EXPECT_NEAR(remolding_energy(curve_of_row(sites[i])) / 1000,
                 energies[i]["remolding_energy_right"], 0.005)

@@ -97,7 +97,7 @@ TEST(SiteFile, EveryFaultAtOnceWithItsPointer) {
                              "/softening/betta", "/colour", "/remolded_strength_kPa"}) {
     EXPECT_TRUE(std::ranges::count(pointers, wanted) == 1) << wanted;
   }
-  EXPECT_EQ(pointers.size(), 7u);
+  EXPECT_EQ(pointers.size(), 7U);
 }
 
 TEST(SiteFile, HostileTextIsRefused) {

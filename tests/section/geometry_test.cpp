@@ -27,9 +27,9 @@ TEST(ElevationAt, TakesTheHigherSideOfAVerticalStep) {
 
 TEST(FirstFault, NamesThePoint) {
   EXPECT_FALSE(first_fault({{0, 1}, {0, 2}, {3, 1}}));
-  EXPECT_EQ(first_fault({{0, 1}, {2, 2}, {1, 1}})->point, 2u);
-  EXPECT_EQ(first_fault({{0, 1}, {NAN, 2}, {3, 1}})->point, 1u);
-  EXPECT_EQ(first_fault({{0, 1}, {1, INFINITY}})->point, 1u);
+  EXPECT_EQ(first_fault({{0, 1}, {2, 2}, {1, 1}})->point, 2U);
+  EXPECT_EQ(first_fault({{0, 1}, {NAN, 2}, {3, 1}})->point, 1U);
+  EXPECT_EQ(first_fault({{0, 1}, {1, INFINITY}})->point, 1U);
   EXPECT_TRUE(first_fault({{0, 1}}));
   EXPECT_TRUE(first_fault({}));
 }

@@ -37,12 +37,12 @@ TEST(LayerBottom, FollowsALineAndTheToe) {
 
 TEST(LayerAt, TakesTheTopmostLayerWhoseBottomIsBelow) {
   const Section s = test::bank();
-  EXPECT_EQ(layer_at(s, {20, 19}), 0u);
-  EXPECT_EQ(layer_at(s, {20, 10}), 1u);
-  EXPECT_EQ(layer_at(s, {20, 1}), 2u);
+  EXPECT_EQ(layer_at(s, {20, 19}), 0U);
+  EXPECT_EQ(layer_at(s, {20, 10}), 1U);
+  EXPECT_EQ(layer_at(s, {20, 1}), 2U);
   // In the valley the crust reaches below the clay's bottom: the clay thins out there.
-  EXPECT_EQ(layer_at(s, {90, 4}), 0u);
-  EXPECT_EQ(layer_at(s, {90, 2}), 2u);
+  EXPECT_EQ(layer_at(s, {90, 4}), 0U);
+  EXPECT_EQ(layer_at(s, {90, 2}), 2U);
 }
 
 TEST(PorePressure, GrowsBelowTheWaterTableOnly) {

@@ -54,7 +54,7 @@ TEST(ValidateMaterials, NotANumberEverywhere) {
               urmi(m) = {NAN, NAN, NAN, NAN, NAN, NAN};
               m.softening->reference_size_m = NAN;
             }).size(),
-            12u);
+            12U);
 }
 
 TEST(ValidateMaterials, NamesAreEscapedInPointers) {

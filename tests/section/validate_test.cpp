@@ -64,7 +64,7 @@ const Case cases[] = {
      },
      {"/ground/1/0", "/ground/3/1"}},
     {"base_above_ground", [](Section& s, RunSettings&) { s.base_m = 6; }, {"/base_m"}},
-    {"base_infinite", [](Section& s, RunSettings&) { s.base_m = -INFINITY; }, {"/base_m"}},
+    {"base_infinite", [](Section& s, RunSettings&) { s.base_m = -double{INFINITY}; }, {"/base_m"}},
     {"no_layers", [](Section& s, RunSettings&) { s.layers.clear(); }, {"/layers"}},
     {"material_not_defined",
      [](Section& s, RunSettings&) { s.layers[1].material = "sand"; },
@@ -216,7 +216,7 @@ INSTANTIATE_TEST_SUITE_P(Sections, Validate, testing::ValuesIn(cases),
 
 TEST(ValidateMessage, NamesTheValueAndWhatWouldBeRight) {
   const auto faults = faults_after([](Section& s, RunSettings&) { s.base_m = 6.5; });
-  ASSERT_EQ(faults.size(), 1u);
+  ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].message, "is 6.5 m, must lie below the lowest ground (5 m at x = 70 m)");
 }
 

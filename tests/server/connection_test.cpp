@@ -138,7 +138,9 @@ TEST_F(ConnectionTest, LengthsThatCanBeReadInTwoWaysAreRefused) {
            {"Content-Length: 3\r\nContent-Length: 40", "400"},
            {"Content-Length: -1", "400"}}) {
     const Socket pushing(service.url);
-    pushing.say("POST /rasters?name=x HTTP/1.1\r\nHost: localhost\r\n" + header + end);
+    pushing.say(std::string("POST /rasters?name=x HTTP/1.1\r\nHost: localhost\r\n")
+                    .append(header)
+                    .append(end));
     const std::string heard = pushing.hear();
     EXPECT_TRUE(starts(heard, "HTTP/1.1 " + status)) << header << "\n" << heard;
     EXPECT_EQ(heard.find("HTTP/1.1", 8), std::string::npos) << header << "\n" << heard;
@@ -152,6 +154,7 @@ TEST_F(ConnectionTest, LengthsThatCanBeReadInTwoWaysAreRefused) {
 
 TEST_F(ConnectionTest, OneConnectionTooManyIsTurnedAway) {
   std::vector<std::unique_ptr<Socket>> idle;
+  idle.reserve(60);
   for (int i = 0; i < 60; ++i) idle.push_back(std::make_unique<Socket>(service.url));
   int turned_away = 0;
   for (const auto& socket : idle) {

@@ -71,7 +71,8 @@ class DispatcherTest : public testing::Test {
     return id;
   }
 
-  std::unique_ptr<Dispatcher> dispatcher(ScriptedExecutor::Script script, bool cluster = false) {
+  std::unique_ptr<Dispatcher> dispatcher(const ScriptedExecutor::Script& script,
+                                         bool cluster = false) {
     auto made = std::make_unique<Dispatcher>(data, store, [script, cluster, this] {
       const auto counted = [script, this](const RunOrder& order) {
         ++submitted;
@@ -91,7 +92,7 @@ class DispatcherTest : public testing::Test {
                      const std::string& id = "job") {
     const auto end = std::chrono::steady_clock::now() + 20s;
     for (;;) {
-      const auto job = store.job(id).value();
+      auto job = store.job(id).value();
       if (until(job) || std::chrono::steady_clock::now() > end) return job;
       std::this_thread::sleep_for(5ms);
     }

@@ -17,7 +17,7 @@ void ExecutorSuite::SetUp() {
 }
 
 std::filesystem::path ExecutorSuite::program(const std::string& body) {
-  const auto file = folder.path() / "worker.sh";
+  auto file = folder.path() / "worker.sh";
   std::ofstream(file) << "#!/bin/sh\n" << body << "\n";
   std::filesystem::permissions(file, std::filesystem::perms::owner_all);
   return file;
@@ -35,7 +35,7 @@ std::unique_ptr<Executor> ExecutorSuite::executor(const std::filesystem::path& w
   return GetParam().make(worker, limits, state);
 }
 
-RunEnd ExecutorSuite::wait_for_end(Executor& of) const {
+RunEnd ExecutorSuite::wait_for_end(Executor& of) {
   const auto until = std::chrono::steady_clock::now() + GetParam().patience;
   while (std::chrono::steady_clock::now() < until) {
     auto ended = of.poll();

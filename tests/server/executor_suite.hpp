@@ -35,7 +35,7 @@ class ExecutorSuite : public testing::TestWithParam<ExecutorKind> {
   server::RunOrder order(const std::string& run);
   std::unique_ptr<server::Executor> executor(const std::filesystem::path& worker,
                                              const server::RunLimits& limits = {});
-  server::RunEnd wait_for_end(server::Executor& of) const;
+  static server::RunEnd wait_for_end(server::Executor& of);
   std::string text(const std::filesystem::path& file) const;
   /// Waits until a file of a run says something.
   bool wait_for_text(server::Executor& of, const std::filesystem::path& file);

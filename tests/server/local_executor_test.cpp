@@ -1,10 +1,10 @@
 #include "server/local_executor.hpp"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(Local, ExecutorSuite,
 class LocalExecutorTest : public testing::Test {
  protected:
   std::filesystem::path program(const std::string& body) {
-    const auto file = folder.path() / "worker.sh";
+    auto file = folder.path() / "worker.sh";
     std::ofstream(file) << "#!/bin/sh\n" << body << "\n";
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
     return file;

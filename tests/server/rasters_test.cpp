@@ -14,7 +14,7 @@ class RastersTest : public testing::Test {
  protected:
   /// An Arc ASCII grid of a bank, 40 x 40 m.
   std::filesystem::path bank(double height_m) const {
-    const auto file = folder.path() / "bank.asc";
+    auto file = folder.path() / "bank.asc";
     std::ofstream out(file);
     out << "ncols 40\nnrows 40\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n";
     for (int row = 0; row < 40; ++row) {

@@ -32,7 +32,7 @@ class Worker final : public Executor {
     ended_.push_back({order.run, RunEnd::How::exited, 0, ""});
   }
   std::vector<RunEnd> poll() override { return std::exchange(ended_, {}); }
-  void cancel(const std::string&) override {}
+  void cancel(const std::string& /*run*/) override {}
 
  private:
   std::vector<RunEnd> ended_;

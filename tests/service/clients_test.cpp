@@ -25,10 +25,11 @@ std::string read_text(const std::filesystem::path& file) {
 }
 
 /// What a program of this machine prints; nothing where it is not installed.
-std::optional<std::string> output_of(const std::vector<std::string>& arguments,
+std::optional<std::string> output_of(std::vector<std::string> arguments,
                                      const std::filesystem::path& out) {
   std::vector<char*> argv;
-  for (const auto& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.reserve(arguments.size() + 1);
+  for (auto& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   const pid_t child = fork();
   if (child == 0) {
@@ -102,7 +103,7 @@ TEST_F(Clients, ResultsComeInEveryFormatAndAreKnownAgain) {
   const std::vector<std::pair<std::string, std::string>> formats = {
       {"gpkg", "SQLite format 3"}, {"geojson", "{"}, {"shp", "PK"}, {"fgb", "PK"}};
   for (const auto& [name, start] : formats) {
-    const std::string path = "/jobs/" + job + "/results?f=" + name;
+    const std::string path = std::string("/jobs/").append(job).append("/results?f=").append(name);
     const auto file = server->client().Get(path);
     ASSERT_EQ(file->status, 200) << file->body;
     EXPECT_TRUE(file->body.starts_with(start)) << name;

@@ -34,7 +34,7 @@ void Disturber::restart() {
 }
 
 /// "JOB-ORDINAL" of the run "JOB-ORDINAL-TRY"; empty where the worker is gone.
-std::string Disturber::section_of(pid_t worker) const {
+std::string Disturber::section_of(pid_t worker) {
   const std::string run = run_folder_of(worker).filename().string();
   return run.substr(0, run.rfind('-'));
 }

@@ -54,7 +54,7 @@ class Disturber {
   int number(int least, int most) { return std::uniform_int_distribution(least, most)(random_); }
   void restart();
   bool may_fail(const std::string& section);
-  std::string section_of(pid_t worker) const;
+  static std::string section_of(pid_t worker);
 
   SmallDisk& disk_;
   Start start_;

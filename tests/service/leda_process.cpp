@@ -26,16 +26,16 @@ std::string read_text(const std::filesystem::path& file) {
 
 constexpr int not_installed = 127;
 
-pid_t start(const std::string& program, const std::vector<std::string>& arguments,
+pid_t start(std::string program, std::vector<std::string> arguments,
             const std::filesystem::path& out, const std::filesystem::path& errors) {
-  std::vector<const char*> argv{program.c_str()};
-  for (const auto& argument : arguments) argv.push_back(argument.c_str());
+  std::vector<char*> argv{program.data()};
+  for (auto& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   const pid_t child = fork();
   if (child == 0) {
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), STDOUT_FILENO);
     dup2(open(errors.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644), STDERR_FILENO);
-    execvp(program.c_str(), const_cast<char* const*>(argv.data()));
+    execvp(argv[0], argv.data());
     _exit(not_installed);
   }
   if (child < 0) throw std::runtime_error("fork failed");
@@ -113,7 +113,7 @@ nlohmann::json LedaServer::get(const std::string& path) {
 nlohmann::json LedaServer::wait_for_job(const std::string& job, std::chrono::seconds patience) {
   const auto until = Clock::now() + patience;
   for (;;) {
-    const auto status = get("/jobs/" + job);
+    auto status = get("/jobs/" + job);
     const bool finished = status["status"] != "accepted" && status["status"] != "running";
     if (finished || Clock::now() > until) return status;
     std::this_thread::sleep_for(100ms);

@@ -81,8 +81,8 @@ JobOutcome outcome_of(LedaServer& server, const std::filesystem::path& data,
 
 std::vector<std::string> differences(const JobOutcome& one, const JobOutcome& other) {
   std::vector<std::string> found;
-  if (one.results.size() != other.results.size()) found.push_back("the number of sections");
-  if (one.zones != other.zones) found.push_back("the zones");
+  if (one.results.size() != other.results.size()) found.emplace_back("the number of sections");
+  if (one.zones != other.zones) found.emplace_back("the zones");
   for (const auto& [name, result] : one.results) {
     const auto same = other.results.find(name);
     if (same == other.results.end()) {

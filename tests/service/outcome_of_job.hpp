@@ -27,6 +27,6 @@ std::vector<std::string> differences(const JobOutcome& one, const JobOutcome& ot
 
 /// What the store itself says: a job's sections without exactly one result, results of no section
 /// of it, runs under way. Empty: each section of the only job has one result.
-std::vector<std::string> faults_of_store(const std::filesystem::path& store);
+std::vector<std::string> faults_of_store(const std::filesystem::path& file);
 
 }  // namespace leda::tests

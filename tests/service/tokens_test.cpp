@@ -53,7 +53,7 @@ class TokensOfAServer : public testing::Test {
   int status(const std::string& method, const std::string& path, const std::string& token,
              const std::string& body = "") {
     httplib::Client client(server->url());
-    if (!token.empty()) client.set_bearer_token_auth(token.c_str());
+    if (!token.empty()) client.set_bearer_token_auth(token);
     const auto answer = method == "GET"      ? client.Get(path)
                         : method == "DELETE" ? client.Delete(path)
                                              : client.Post(path, body, "application/json");

@@ -38,10 +38,11 @@ struct Block {
         double height, const BlockMaterial& material, int per_side = 2)
       : grid(make_grid(h, model_length, model_height)), laws(one_law(material)) {
     const double spacing = h / per_side;
-    for (double x = x0 + spacing / 2; x < x0 + length; x += spacing) {
-      for (double z = z0 + spacing / 2; z < z0 + height; z += spacing) {
-        particles.x.push_back(x);
-        particles.z.push_back(z);
+    const auto columns = std::lround(length / spacing), rows = std::lround(height / spacing);
+    for (long i = 0; i < columns; ++i) {
+      for (long j = 0; j < rows; ++j) {
+        particles.x.push_back(x0 + (static_cast<double>(i) + 0.5) * spacing);
+        particles.z.push_back(z0 + (static_cast<double>(j) + 0.5) * spacing);
       }
     }
     const std::size_t n = particles.x.size();

@@ -91,7 +91,7 @@ TEST(Transfer, ParticlesOfASpanShareItsDilation) {
   }
   grid_to_particles(b.particles, b.grid, b.laws, 1e-3, false);
   const Particles& p = b.particles;
-  ASSERT_EQ(p.count, 4u);
+  ASSERT_EQ(p.count, 4U);
   const auto mean = [&](std::size_t i) { return (p.sxx[i] + p.szz[i] + p.syy[i]) / 3; };
   EXPECT_GT(std::abs(mean(0)), 1);
   for (std::size_t i = 1; i < p.count; ++i) {

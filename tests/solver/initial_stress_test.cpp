@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "solver/sort_particles.hpp"
 #include "solver/statics/statics.hpp"
@@ -33,7 +34,7 @@ struct Quiet {
   double time_s = 0;
   std::optional<StageEnd> end;
 
-  Quiet(const Section& of, QuietMethod method) : section(of) {
+  Quiet(Section of, QuietMethod method) : section(std::move(of)) {
     run.section = &section;
     run.settings = &settings;
     run.listener = &listener;
@@ -204,8 +205,8 @@ TEST(InitialStress, NearlyIncompressibleGroundFindsItsBalance) {
 TEST(InitialStress, ABankThatCannotStandFallsBackOnTheRelaxationAndSaysSo) {
   const Section section = bank(10, 45, 20e3);
   Quiet direct(section, QuietMethod::direct), relaxed(section, QuietMethod::relaxed);
-  ASSERT_EQ(direct.run.warnings.size(), 1u);
-  ASSERT_EQ(relaxed.run.warnings.size(), 1u);
+  ASSERT_EQ(direct.run.warnings.size(), 1U);
+  ASSERT_EQ(relaxed.run.warnings.size(), 1U);
   EXPECT_NE(direct.run.warnings[0].find("slides without softening"), std::string::npos);
   EXPECT_GT(direct.run.steps, 1000);
   EXPECT_LT(difference(direct, relaxed), 0.01);

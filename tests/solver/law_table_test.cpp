@@ -21,7 +21,8 @@ TEST(LawTable, StrengthByDepthIsKeptWithinATenthOfAPercent) {
   strength.by = Strength::By::depth;
   strength.table = {{0, 20e3}, {10, 40e3}};
   LawTableBuilder laws(s, 1);
-  for (double depth = 0; depth < 12; depth += 0.37) {
+  for (int i = 0; i < 33; ++i) {
+    const double depth = 0.37 * i;
     const auto row = static_cast<std::size_t>(laws.row(0, depth, 0));
     EXPECT_NEAR(laws.table().peak[row], strength.at(depth, 0), 0.0005 * 40e3 + 1e-9);
   }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ranges>
+
 #include "solver/simulate.hpp"
 #include "tests/solver/bank.hpp"
 
@@ -64,8 +66,8 @@ TEST(Observe, ABankThatFallsToTheLeftIsTheMirrorImage) {
   Section section = right.section;
   const double length = section.ground.back().x;
   Polyline ground;
-  for (auto at = section.ground.rbegin(); at != section.ground.rend(); ++at) {
-    ground.push_back({length - at->x, at->z});
+  for (const Point& at : std::views::reverse(section.ground)) {
+    ground.push_back({length - at.x, at.z});
   }
   section.ground = ground;
   Seeded mirrored = right.seeded;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ranges>
+
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {
@@ -132,8 +134,8 @@ TEST(Simulate, ABankThatFallsToTheLeftGivesTheMirroredResult) {
   Section left = right;
   left.ground.clear();
   const double length = right.ground.back().x;
-  for (auto at = right.ground.rbegin(); at != right.ground.rend(); ++at) {
-    left.ground.push_back({length - at->x, at->z});
+  for (const Point& at : std::views::reverse(right.ground)) {
+    left.ground.push_back({length - at.x, at.z});
   }
   const SectionResult a = simulate(right, coarse()), b = simulate(left, coarse());
   // The lattice of particles begins at the left edge, so the two are not the same to the bit;

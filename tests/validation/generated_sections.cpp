@@ -12,20 +12,21 @@ namespace {
 class Draw {
  public:
   /// A mixed start: neighbouring seeds must not draw the same numbers one place apart.
-  explicit Draw(std::uint64_t seed) : state_(seed) { state_ = next() ^ (seed << 32); }
+  explicit Draw(std::uint64_t seed) : state_(mixed(seed + stride) ^ (seed << 32)) {}
 
   double between(double low, double high) { return low + (high - low) * unit(); }
   bool chance(double share) { return unit() < share; }
 
  private:
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15ULL);
+  static constexpr std::uint64_t stride = 0x9E3779B97F4A7C15ULL;
+
+  static std::uint64_t mixed(std::uint64_t z) {
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
     return z ^ (z >> 31);
   }
 
-  double unit() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
+  double unit() { return static_cast<double>(mixed(state_ += stride) >> 11) * 0x1.0p-53; }
 
   std::uint64_t state_;
 };

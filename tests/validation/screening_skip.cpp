@@ -38,9 +38,9 @@ void print_row(std::uint64_t seed, const test::GeneratedCase& c,
                const solver::ScreeningResult& screening, const SectionResult* result) {
   std::printf("%llu,%.2f,%.1f,%.1f,%.2f,%.2f,%d,%s,%.3f,%.3f,%.3f",
               static_cast<unsigned long long>(seed), c.height_m, c.angle_deg, c.strength_Pa / 1000,
-              c.water_depth_m, c.toe_cut_m, screening.sensitive, to_string(screening.decision),
-              screening.worst_intact.value_or(0), screening.worst_toe_cut.value_or(0),
-              screening.worst_at_rest.value_or(0));
+              c.water_depth_m, c.toe_cut_m, static_cast<int>(screening.sensitive),
+              to_string(screening.decision), screening.worst_intact.value_or(0),
+              screening.worst_toe_cut.value_or(0), screening.worst_at_rest.value_or(0));
   if (result) {
     std::printf(",%s,%s,%.1f,%.1f,%.3f\n", to_string(result->status), result->trigger_used.c_str(),
                 result->crest_to_crest_retrogression_m, result->runout_m, result->run_time_s);
@@ -54,9 +54,9 @@ void take(Tally& tally, bool skipped, const SectionResult& result) {
   const bool moved = result.status != RunStatus::stable;
   (skipped ? tally.skipped_s : tally.simulated_s) += result.run_time_s;
   if (skipped)
-    tally.skipped_moved += moved;
+    tally.skipped_moved += static_cast<int>(moved);
   else
-    ++tally.simulated, tally.simulated_moved += moved;
+    ++tally.simulated, tally.simulated_moved += static_cast<int>(moved);
 }
 
 bool run_one(std::uint64_t seed, const Options& options, Tally& tally) {
@@ -77,7 +77,7 @@ bool run_one(std::uint64_t seed, const Options& options, Tally& tally) {
   }
   ++tally.sections;
   const bool skipped = screening.decision == solver::Decision::stable;
-  tally.skipped += skipped;
+  tally.skipped += static_cast<int>(skipped);
   if (options.skipped_only && !skipped) {
     print_row(seed, c, screening, nullptr);
     return true;

@@ -22,8 +22,8 @@ Deposit slump(double width, double height, double room, double tau, double cell)
   }
   const double dt = b.time_step();
   double calm = 0;
-  for (double t = 0; t < 400 && calm < 2; t += dt) {
-    if (static_cast<long>(t / dt) % 8 == 0) sort_particles(p, b.grid);
+  for (int i = 0; i * dt < 400 && calm < 2; ++i) {
+    if (i % 8 == 0) sort_particles(p, b.grid);
     const StepSums sums = step(p, b.grid, b.laws, {dt, g, 0.7, true});
     calm = sums.particles.fastest_squared < 1e-6 ? calm + dt : 0;
   }

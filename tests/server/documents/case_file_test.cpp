@@ -19,7 +19,7 @@ CaseFile parsed(const std::string& text) {
 
 TEST(CaseFile, SainteMoniqueInSiUnits) {
   const CaseFile c = parsed(test::read_case("sainte-monique-AA.json"));
-  EXPECT_EQ(c.section.ground.size(), 6u);
+  EXPECT_EQ(c.section.ground.size(), 6U);
   EXPECT_EQ(c.section.ground[2], (Point{220, 5}));
   EXPECT_EQ(c.section.water_table->depth_m, 0.0);
   const Material& crust = c.section.materials.at("crust");
@@ -45,9 +45,9 @@ TEST(CaseFile, SainteMoniqueInSiUnits) {
 TEST(CaseFile, EveryKeyArrives) {
   const CaseFile c = parsed(test::read_case("every-key.json"));
   const auto& m = c.section.materials;
-  EXPECT_EQ(c.section.layers[1].bottom.size(), 2u);
+  EXPECT_EQ(c.section.layers[1].bottom.size(), 2U);
   EXPECT_EQ(c.section.layers[3].bottom_below_toe_m, 3.5);
-  EXPECT_EQ(c.section.water_table->line.size(), 4u);
+  EXPECT_EQ(c.section.water_table->line.size(), 4U);
   EXPECT_EQ(c.section.toe, (Point{70, 5}));
   EXPECT_EQ(m.at("upper").peak_strength.by, Strength::By::depth);
   EXPECT_EQ(m.at("upper").softening->regularization, Regularization::whole_curve);
@@ -58,8 +58,8 @@ TEST(CaseFile, EveryKeyArrives) {
   EXPECT_EQ(std::get<ExponentialSoftening>(m.at("lower").softening->law).shape_factor, 80);
   EXPECT_EQ(std::get<LinearSoftening>(m.at("base").softening->law).remolded_strain, 2.3);
   EXPECT_EQ(std::get<DeySoftening>(m.at("spare").softening->law).large_strain, 20.3);
-  EXPECT_EQ(std::get<ExcavationTrigger>(c.settings.trigger).polygon.size(), 4u);
-  EXPECT_EQ(c.settings.resolution.seed, 9007199254740992u);
+  EXPECT_EQ(std::get<ExcavationTrigger>(c.settings.trigger).polygon.size(), 4U);
+  EXPECT_EQ(c.settings.resolution.seed, 9007199254740992U);
   EXPECT_EQ(c.settings.time_step_factor, 0.3);
   EXPECT_TRUE(c.settings.output.paraview);
 }

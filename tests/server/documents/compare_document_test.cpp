@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 
 #include "tests/server/documents/some_result.hpp"
 
@@ -30,12 +31,12 @@ std::size_t count(const std::string& text, const std::string& part) {
 
 TEST(CompareJson, GivesTheNumbersAndTheirDifferences) {
   const json out = compare_json(two_sections());
-  ASSERT_EQ(out["sections"].size(), 2u);
+  ASSERT_EQ(out["sections"].size(), 2U);
   EXPECT_EQ(out["sections"][0]["name"], "AA'");
-  EXPECT_EQ(out["sections"][0]["profile_before_m"].size(), 6u);
-  EXPECT_EQ(out["sections"][0]["profile_after_m"].size(), 10u);
+  EXPECT_EQ(out["sections"][0]["profile_before_m"].size(), 6U);
+  EXPECT_EQ(out["sections"][0]["profile_after_m"].size(), 10U);
   EXPECT_EQ(out["sections"][1]["result"]["runout_m"], 60.4);
-  ASSERT_EQ(out["differences"].size(), 1u);
+  ASSERT_EQ(out["differences"].size(), 1U);
   const json& d = out["differences"][0];
   EXPECT_NEAR(d["crest_to_crest_retrogression_m"].get<double>(), -13.2, 1e-9);
   EXPECT_NEAR(d["runout_m"].get<double>(), 8, 1e-9);
@@ -60,11 +61,11 @@ TEST(CompareSvg, ShowsBothSectionsWithTheirMarks) {
   const std::string svg = compare_svg(two_sections());
   EXPECT_TRUE(svg.starts_with("<svg "));
   EXPECT_TRUE(svg.ends_with("</svg>\n"));
-  EXPECT_EQ(count(svg, "<path "), 4u);
+  EXPECT_EQ(count(svg, "<path "), 4U);
   for (const char* name : {">crest<", ">toe<", ">backscarp<", ">front<"}) {
-    EXPECT_EQ(count(svg, name), 2u) << name;
+    EXPECT_EQ(count(svg, name), 2U) << name;
   }
-  EXPECT_EQ(count(svg, "elevation (m)"), 2u);
+  EXPECT_EQ(count(svg, "elevation (m)"), 2U);
   EXPECT_NE(svg.find("retrogression 103.2 m, runout 52.4 m"), std::string::npos);
   EXPECT_EQ(svg.find(">-0<"), std::string::npos);
 }
@@ -81,9 +82,10 @@ TEST(CompareSvg, DrawsLengthsAndHeightsAtOneScale) {
   const auto circle = [&](std::size_t n) {
     std::size_t at = std::string::npos;
     for (std::size_t i = 0; i <= n; ++i) at = svg.find("<circle", at + 1);
-    double x = 0, y = 0;
-    EXPECT_EQ(std::sscanf(svg.c_str() + at, "<circle cx=\"%lf\" cy=\"%lf\"", &x, &y), 2);
-    return std::pair(x, y);
+    const auto number_after = [&](const char* text) {
+      return std::stod(svg.substr(svg.find(text, at) + std::strlen(text)));
+    };
+    return std::pair(number_after("cx=\""), number_after("cy=\""));
   };
   const auto crest = circle(0), toe = circle(1);
   EXPECT_NEAR(toe.first - crest.first, 37 * 1112.0 / 306, 0.2);

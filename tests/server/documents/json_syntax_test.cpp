@@ -24,13 +24,13 @@ TEST(ParseJson, RefusesBrokenTexts) {
                            "{\"a\": \"\xff\"}", "nul", "\xef\xbb\xbf"}) {
     const auto parsed = parse_json(text);
     EXPECT_FALSE(parsed) << text;
-    EXPECT_EQ(parsed.faults.size(), 1u) << text;
+    EXPECT_EQ(parsed.faults.size(), 1U) << text;
   }
 }
 
 TEST(ParseJson, SaysWhereTheSyntaxBreaks) {
   const auto parsed = parse_json("{\"a\": 1,\n \"b\" 2}");
-  ASSERT_EQ(parsed.faults.size(), 1u);
+  ASSERT_EQ(parsed.faults.size(), 1U);
   EXPECT_NE(parsed.faults[0].message.find("line 2"), std::string::npos) << parsed.faults[0].message;
 }
 

@@ -45,7 +45,7 @@ TEST(MapLine, PointsAtFault) {
 TEST(MapPolygon, IsClosedAndDoesNotCross) {
   FaultList faults;
   const auto open = read_map_polygon(json::parse("[[0, 0], [4, 0], [4, 4]]"), "/p", 10, faults);
-  EXPECT_EQ(open.outer.size(), 4u);
+  EXPECT_EQ(open.outer.size(), 4U);
   EXPECT_EQ(open.outer.front(), open.outer.back());
   const auto closed =
       read_map_polygon(json::parse("[[0, 0], [4, 0], [4, 4], [0, 0]]"), "/p", 10, faults);

@@ -19,22 +19,22 @@ TEST(RegionRequest, EverythingArrives) {
   const RegionRequest r = parsed(test::region());
   EXPECT_EQ(r.name, "sainte-monique");
   EXPECT_EQ(r.dem, "sainte-monique");
-  ASSERT_EQ(r.layout.lines.size(), 2u);
+  ASSERT_EQ(r.layout.lines.size(), 2U);
   EXPECT_EQ(r.layout.lines[0].name, "AA'");
   EXPECT_EQ(r.layout.lines[0].crest, (MapPoint{180, 6}));
-  EXPECT_EQ(r.layout.lines[1].line.size(), 3u);
+  EXPECT_EQ(r.layout.lines[1].line.size(), 3U);
   EXPECT_FALSE(r.layout.lines[1].toe);
-  ASSERT_EQ(r.layout.along.size(), 1u);
+  ASSERT_EQ(r.layout.along.size(), 1U);
   EXPECT_EQ(r.layout.along[0].spacing_m, 50);
   EXPECT_EQ(r.layout.along[0].upslope_m, 250);
-  ASSERT_EQ(r.soil.size(), 2u);
+  ASSERT_EQ(r.soil.size(), 2U);
   EXPECT_EQ(r.soil[0].name, "plain");
   EXPECT_EQ(r.soil[0].water_table->depth_m, 1.0);
   EXPECT_FALSE(r.soil[0].base_m);
   EXPECT_TRUE(r.soil[0].where.empty());
   EXPECT_EQ(r.soil[0].materials.at("clay").peak_strength.constant_Pa, 40e3);
   EXPECT_EQ(r.soil[1].base_m, -2.0);
-  EXPECT_EQ(r.soil[1].where.at(0).outer.size(), 4u);
+  EXPECT_EQ(r.soil[1].where.at(0).outer.size(), 4U);
   EXPECT_EQ(r.settings.time_step_factor, 0.4);
   EXPECT_EQ(std::get<UndrainedTrigger>(r.settings.trigger).then_toe_cut_m, 3.0);
   EXPECT_FALSE(r.skip_stable);
@@ -43,8 +43,8 @@ TEST(RegionRequest, EverythingArrives) {
 TEST(RegionRequest, SmallestHasTheDefaults) {
   const RegionRequest r = parsed(test::small_region());
   EXPECT_TRUE(r.layout.lines.empty());
-  EXPECT_EQ(r.layout.along.size(), 1u);
-  EXPECT_EQ(r.soil.size(), 1u);
+  EXPECT_EQ(r.layout.along.size(), 1U);
+  EXPECT_EQ(r.soil.size(), 1U);
   EXPECT_EQ(r.soil[0].base_below_toe_m, 5);
   EXPECT_TRUE(r.skip_stable);
   EXPECT_EQ(r.settings.stop.max_time_s, 120);

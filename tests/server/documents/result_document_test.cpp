@@ -41,7 +41,7 @@ TEST(ResultDocument, NeverHoldsWhatIsNotFinite) {
   SectionResult broken = test::some_result();
   broken.runout_m = NAN;
   broken.balances.energy = INFINITY;
-  broken.front.z = -INFINITY;
+  broken.front.z = -double{INFINITY};
   broken.profile_after[1].z = NAN;
   const auto parsed = parse_result(result_text(broken));
   ASSERT_TRUE(parsed) << test::text(parsed.faults);

@@ -54,7 +54,7 @@ class RunCheckpointTest : public testing::Test {
     std::ofstream(folder.path() / name, std::ios::binary | std::ios::trunc) << bytes;
   }
 
-  void expect_refused(const RunCheckpoint::Left& left, const std::string& why) {
+  static void expect_refused(const RunCheckpoint::Left& left, const std::string& why) {
     EXPECT_TRUE(left.state.empty());
     EXPECT_EQ(left.frames, 0);
     EXPECT_NE(left.refused.find(why), std::string::npos) << left.refused;

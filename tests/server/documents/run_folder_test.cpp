@@ -57,7 +57,7 @@ TEST_F(RunFolder, ARunLeavesEverythingAndTheResultLast) {
   EXPECT_TRUE(progress["fraction"].is_number());
   EXPECT_FALSE(progress["stage"].get<std::string>().empty());
   const auto frames = db::read_result_file(folder / "fields.h5");
-  ASSERT_GE(frames.size(), 2u);
+  ASSERT_GE(frames.size(), 2U);
   EXPECT_EQ(frames.back().x.size(), std::size_t(result.value->particles));
   EXPECT_TRUE(fs::exists(folder / "view.pvd"));
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -68,7 +68,7 @@ TEST_F(RunFolder, ARunLeavesEverythingAndTheResultLast) {
 TEST_F(RunFolder, AnInvalidCaseChangesNothing) {
   const RunOutcome outcome = run_case("{}", folder);
   EXPECT_EQ(outcome.code, ExitCode::invalid);
-  EXPECT_EQ(outcome.faults.size(), 6u);
+  EXPECT_EQ(outcome.faults.size(), 6U);
   EXPECT_FALSE(outcome.result);
   EXPECT_FALSE(fs::exists(folder));
 }
