@@ -185,9 +185,11 @@ void Dispatcher::take_up(const std::string& id) {
                          std::string("the job could not be taken up: ") + error.what());
     return;
   }
+  for (std::size_t i = 0; i < job.sections.size(); ++i) {
+    if (job.sections[i].state == SectionState::waiting) job.waiting.insert(i);
+  }
   recover(job);
-  log_info(id, "taken up sections={} waiting={}", job.sections.size(),
-           count(job.sections, SectionState::waiting));
+  log_info(id, "taken up sections={} waiting={}", job.sections.size(), job.waiting.size());
   jobs_[id] = std::move(job);
 }
 
@@ -195,18 +197,14 @@ void Dispatcher::take_up(const std::string& id) {
 bool Dispatcher::start_next() {
   OpenJob* next = nullptr;
   for (auto& [id, job] : jobs_) {
-    if (count(job.sections, SectionState::waiting) == 0) continue;
+    if (job.waiting.empty()) continue;
     const bool sooner = next == nullptr || job.running < next->running ||
                         (job.running == next->running && job.record.created < next->record.created);
     if (sooner) next = &job;
   }
   if (next == nullptr) return false;
-  const auto section =
-      std::find_if(next->sections.begin(), next->sections.end(),
-                   [](const auto& candidate) { return candidate.state == SectionState::waiting; });
-  if (!screened_out(*next, *section)) {
-    start_run(*next, static_cast<std::size_t>(section - next->sections.begin()));
-  }
+  const std::size_t section = *next->waiting.begin();
+  if (!screened_out(*next, next->sections[section])) start_run(*next, section);
   return true;
 }
 
@@ -219,8 +217,7 @@ bool Dispatcher::screened_out(OpenJob& job, db::SectionRecord& section) {
   section.screening = screened->document;
   if (!screened->skip) return false;
   section.reason = "not simulated: " + screened->reason;
-  store_.set_section_state(section.id, SectionState::stable, section.reason);
-  section.state = SectionState::stable;
+  set_state(job, section, SectionState::stable, section.reason);
   return true;
 }
 
@@ -251,12 +248,13 @@ void Dispatcher::start_run(OpenJob& job, std::size_t index) {
     if (tells_of_full_disk(error)) return wait_for_space();
     log_error(id, "run cannot be started section={} reason={}", in_quotes(section.name),
               in_quotes(error.what()));
-    set_state(section, SectionState::failed,
+    set_state(job, section, SectionState::failed,
               data_.without_root(std::string("the run cannot be started: ") + error.what()));
     return;
   }
   if (!before.empty()) remove_checkpoint_of(before);
   section.state = SectionState::running;
+  job.waiting.erase(index);
   ++section.attempts;
   runs_[section.run] = {id, index};
   ++job.running;

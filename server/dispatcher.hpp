@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -60,6 +61,7 @@ class Dispatcher {
     db::JobRecord record;
     std::unique_ptr<Work> work;
     std::vector<db::SectionRecord> sections;  ///< in step with the store
+    std::set<std::size_t> waiting;            ///< indices of those that wait
     std::map<std::size_t, int> crashes;       ///< by index of the section
     std::size_t running = 0;
   };
@@ -87,7 +89,8 @@ class Dispatcher {
   void finish(OpenJob& job);
   void finish_done_jobs();
   void wind_down();
-  void set_state(db::SectionRecord& section, db::SectionState state, const std::string& reason);
+  void set_state(OpenJob& job, db::SectionRecord& section, db::SectionState state,
+                 const std::string& reason);
 
   const DataFolder& data_;
   db::Store& store_;

@@ -1,5 +1,7 @@
 // What becomes of a run that ended, and of a job whose runs all did.
 
+#include <algorithm>
+
 #include "server/dispatcher.hpp"
 #include "server/documents/run_folder.hpp"
 #include "server/features.hpp"
@@ -14,7 +16,9 @@ using db::SectionState;
 
 namespace {
 
-constexpr std::chrono::milliseconds between_reports{500};
+constexpr std::chrono::milliseconds shortest_between_reports{500};
+// Progress is read from a file a run. Where thousands go on a cluster, their folder is a network's.
+constexpr std::chrono::milliseconds between_reports_for_each_run{10};
 
 }  // namespace
 
@@ -34,7 +38,7 @@ void Dispatcher::recover(OpenJob& job) {
       ++job.running;
       ++adopted;
     } else {
-      set_state(section, SectionState::waiting, "");
+      set_state(job, section, SectionState::waiting, "");
       ++restarted;
     }
   }
@@ -77,7 +81,7 @@ void Dispatcher::gave_no_result(OpenJob& job, std::size_t index, const RunEnd& e
   const bool again = !hopeless && crashes < most_tries;
   log_warning(job.record.id, "run gave no result section={} run={} again={} reason={}",
               in_quotes(section.name), end.run, again, in_quotes(reason));
-  set_state(section, again ? SectionState::waiting : SectionState::failed, reason);
+  set_state(job, section, again ? SectionState::waiting : SectionState::failed, reason);
   // Only now, because a store that fails brings this end back for another turn.
   job.crashes[index] = crashes;
   if (again && watch_.restarted) watch_.restarted(1);
@@ -93,7 +97,7 @@ void Dispatcher::take_in(OpenJob& job, db::SectionRecord& section) {
     placed = job.work->place(section, result);
   } catch (const std::exception& error) {
     set_state(
-        section, SectionState::failed,
+        job, section, SectionState::failed,
         data_.without_root(std::string("the result has no place on the map: ") + error.what()));
     return;
   }
@@ -115,7 +119,9 @@ void Dispatcher::take_in(OpenJob& job, db::SectionRecord& section) {
 
 void Dispatcher::report_progress() {
   const auto now = std::chrono::steady_clock::now();
-  if (now - progress_told_ < between_reports) return;
+  const auto between = std::max(shortest_between_reports,
+                                between_reports_for_each_run * static_cast<int>(runs_.size()));
+  if (now - progress_told_ < between) return;
   progress_told_ = now;
   std::map<std::string, double> fractions;
   for (const auto& [run, of] : runs_) fractions[of.job] += read_fraction(data_.run(run));
@@ -132,8 +138,7 @@ void Dispatcher::report_progress() {
 
 void Dispatcher::finish_done_jobs() {
   for (auto at = jobs_.begin(); at != jobs_.end();) {
-    const auto& sections = at->second.sections;
-    const bool done = at->second.running == 0 && count(sections, SectionState::waiting) == 0;
+    const bool done = at->second.running == 0 && at->second.waiting.empty();
     if (done) finish(at->second);
     at = done ? jobs_.erase(at) : std::next(at);
   }
@@ -162,11 +167,17 @@ void Dispatcher::finish(OpenJob& job) {
   log_info(id, "finished status={} message={}", db::to_string(state), in_quotes(message));
 }
 
-void Dispatcher::set_state(db::SectionRecord& section, SectionState state,
+void Dispatcher::set_state(OpenJob& job, db::SectionRecord& section, SectionState state,
                            const std::string& reason) {
   store_.set_section_state(section.id, state, reason);
   section.state = state;
   section.reason = reason;
+  const auto index = static_cast<std::size_t>(&section - job.sections.data());
+  if (state == SectionState::waiting) {
+    job.waiting.insert(index);
+  } else {
+    job.waiting.erase(index);
+  }
 }
 
 }  // namespace leda::server
