@@ -4,6 +4,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -37,7 +38,7 @@ json region_of(int sections) {
   auto& inputs = region["inputs"];
   constexpr double south = 5113020, length_m = 360;
   inputs["sections"] = json::array({{{"along", {{380300, south}, {380300, south + length_m}}},
-                                     {"spacing_m", length_m / (sections - 1)},
+                                     {"spacing_m", length_m / (sections - 0.5)},
                                      {"upslope_m", 100},
                                      {"downslope_m", 80}}});
   return region;
@@ -71,23 +72,29 @@ int runs_that_say(const std::filesystem::path& data, const std::string& what) {
   return runs;
 }
 
+/// In turn a full disk, a damaged result and a held store. False where there was none to damage.
+bool disturb_otherwise(Disturber& disturber, int turn) {
+  if (turn % 3 == 0) {
+    disturber.fill_disk();
+  } else if (turn % 3 == 2) {
+    disturber.hold_store();
+  } else {
+    const int before = disturber.done().corrupt_results;
+    disturber.corrupt_result();
+    return disturber.done().corrupt_results > before;
+  }
+  return true;
+}
+
 void disturb(Disturber& disturber, const std::string& job, const Wanted& wanted) {
   const int between = std::max(1, wanted.kills / (3 * wanted.others + 1));
   for (int next = between, turn = 0; !is_finished(disturber.server(), job);) {
     disturber.wait();
     if (disturber.done().kills() < wanted.kills) disturber.kill_any();
     if (disturber.done().kills() < next || turn >= 3 * wanted.others) continue;
+    if (!disturb_otherwise(disturber, turn)) continue;  // not at hand now: again after a kill
     next += between;
-    switch (turn++ % 3) {
-      case 0:
-        disturber.fill_disk();
-        break;
-      case 1:
-        disturber.corrupt_result();
-        break;
-      default:
-        disturber.hold_store();
-    }
+    ++turn;
   }
 }
 
@@ -125,6 +132,9 @@ int run(const Wanted& wanted) {
   if (done.kills() < wanted.kills) {
     faults.push_back("the job was done after " + std::to_string(done.kills()) +
                      " kills: take more sections");
+  }
+  if (std::min({done.full_disks, done.corrupt_results, done.held_stores}) < wanted.others) {
+    faults.push_back("the job was done before all other disturbances: take more sections");
   }
   std::cout << json{{"sections", expected.results.size()},
                     {"server_kills", done.server_kills},
