@@ -25,12 +25,13 @@ awk 'BEGIN {
   }
 }' >bank.asc
 
-# region NAME SECTIONS STRENGTH_KPA CELL_M
+# region NAME SECTIONS STRENGTH_KPA CELL_M: laid along as many lines as it takes, a metre apart
 region() {
   jq -n --arg name "$1" --argjson sections "$2" --argjson strength "$3" --argjson cell "$4" '{inputs: {
     name: $name, dem: "bank",
-    sections: {along: [[380300, 5113020], [380300, 5113980]], spacing_m: (960 / ($sections - 1)),
-               upslope_m: 100, downslope_m: 80},
+    sections: (($sections / 900 | ceil) as $lines | ($sections / $lines) as $each |
+      [range($lines) | {along: [[380300 - ., 5113020], [380300 - ., 5113980]],
+                        spacing_m: (960 / ($each - 0.5)), upslope_m: 100, downslope_m: 80}]),
     soil: {base_m: 0, layers: [{material: "clay"}], materials: {clay: {
       unit_weight_kN_m3: 17, shear_modulus_kPa: 3000, poisson_ratio: 0.45,
       peak_strength_kPa: $strength, k0: 0.5,
