@@ -9,8 +9,13 @@
 namespace leda::db {
 
 /// JOIN and WHERE for a table of features, "sections" or "zones": ?1 the job, ?2 to ?5 the box,
-/// ?6 the id, ?7 and ?8 (limit and offset) are the caller's, ?9 as `condition` wants it.
+/// ?6 the id, ?9 as `condition` wants it.
 /// @param condition of the caller, ends with AND, or empty
+/// @param in_order read in the order of ids, for a page; else as SQLite likes, for a count
+std::string matches(const std::string& table, const PageFilter& filter,
+                    const std::string& condition, bool in_order);
+
+/// The same with ORDER BY and, as ?7 and ?8, limit and offset.
 std::string page_of(const std::string& table, const PageFilter& filter,
                     const std::string& condition);
 

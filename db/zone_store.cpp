@@ -82,8 +82,7 @@ std::vector<ZoneRecord> Store::zones(const std::string& job) const {
 
 std::vector<ZoneRecord> Store::zone_page(ZoneKind kind, const PageFilter& filter) const {
   return connection_->read([&](Database& database) {
-    Query rows(database, columns + page_of("zones", filter, "zones.kind = ?9 AND ") +
-                             "ORDER BY zones.id LIMIT max(?7, 0) OFFSET ?8");
+    Query rows(database, columns + page_of("zones", filter, "zones.kind = ?9 AND "));
     bind_page(rows, filter, word(kind));
     return zones_from(database, rows);
   });
@@ -91,8 +90,8 @@ std::vector<ZoneRecord> Store::zone_page(ZoneKind kind, const PageFilter& filter
 
 int Store::count_zones(ZoneKind kind, const PageFilter& filter) const {
   return connection_->read([&](Database& database) {
-    Query row(database,
-              "SELECT count(*) FROM zones " + page_of("zones", filter, "zones.kind = ?9 AND "));
+    Query row(database, "SELECT count(*) FROM zones " +
+                            matches("zones", filter, "zones.kind = ?9 AND ", false));
     bind_page(row, filter, word(kind));
     row.next();
     return row.small_integer();

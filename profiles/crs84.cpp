@@ -2,6 +2,7 @@
 #include <ogr_srs_api.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
 #include "profiles/dem.hpp"
@@ -33,16 +34,30 @@ struct ToCrs84::Transformation {
   std::unique_ptr<OGRCoordinateTransformation> transform;
 };
 
-ToCrs84::ToCrs84(int epsg) : transformation_(std::make_unique<Transformation>()) {
-  initialize_gdal();
-  const QuietGdal quiet;
+// To make one asks PROJ's database, some 12 ms; a page of features takes less than 1. PROJ's
+// objects belong to the thread that made them, so each thread keeps its own.
+std::shared_ptr<const ToCrs84::Transformation> ToCrs84::known(int epsg) {
+  // Makes GDAL's own part of the thread stand before the map, and so outlive it.
+  OSRGetPROJEnableNetwork();
+  thread_local std::map<int, std::shared_ptr<const Transformation>> made;
+  auto& found = made[epsg];
+  if (found) return found;
+  auto transformation = std::make_shared<Transformation>();
   OGRSpatialReference from, to;
   from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   if (from.importFromEPSG(epsg) == OGRERR_NONE && to.importFromEPSG(4326) == OGRERR_NONE) {
-    transformation_->transform.reset(OGRCreateCoordinateTransformation(&from, &to));
+    transformation->transform.reset(OGRCreateCoordinateTransformation(&from, &to));
   }
-  if (!transformation_->transform) {
+  if (transformation->transform) found = std::move(transformation);
+  return found;
+}
+
+ToCrs84::ToCrs84(int epsg) {
+  initialize_gdal();
+  const QuietGdal quiet;
+  transformation_ = known(epsg);
+  if (!transformation_) {
     throw ExportError("EPSG:" + std::to_string(epsg) + " can't be turned into CRS84" +
                       gdal_message());
   }

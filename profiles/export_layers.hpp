@@ -68,6 +68,7 @@ void export_layers(const RegionLayers& layers, ExportFormat format,
                    const std::filesystem::path& file);
 
 /// From the coordinates of a CRS to longitude and latitude (CRS84), for OGC API - Features.
+/// Belongs to the thread that made it.
 class ToCrs84 {
  public:
   /// @throws ExportError where PROJ does not know the code
@@ -85,7 +86,8 @@ class ToCrs84 {
 
  private:
   struct Transformation;
-  std::unique_ptr<Transformation> transformation_;
+  static std::shared_ptr<const Transformation> known(int epsg);
+  std::shared_ptr<const Transformation> transformation_;
 };
 
 }  // namespace leda::profiles
