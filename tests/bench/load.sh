@@ -59,7 +59,7 @@ all_pages() {
   while [[ -n $next ]]; do next=$(curl -sSf "$next" | jq -r '.links[] | select(.rel == "next").href'); done
 }
 wrk_row() { # NAME CONNECTIONS PATH
-  wrk -t2 -c"$2" -d"${seconds}s" --latency "$url$3" >wrk.txt
+  wrk -t2 -c"$2" -d"${seconds}s" --timeout 10s --latency "$url$3" >wrk.txt
   if grep -q 'Non-2xx\|Socket errors' wrk.txt; then cat wrk.txt >&2; exit 1; fi
   printf '| %s | %s | %s | %s | %s |\n' "$1" "$2" "$(awk '/Requests\/sec/ {print $2}' wrk.txt)" \
     "$(awk '$1 == "50%" {print $2}' wrk.txt)" "$(awk '$1 == "99%" {print $2}' wrk.txt)"
