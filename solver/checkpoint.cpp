@@ -10,8 +10,31 @@ namespace {
 
 constexpr std::uint64_t format = 0x4c454441'00000003;  // "LEDA", 3
 
+// The bytes that Writer will write, so that they are asked for once.
+class Counter {
+ public:
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void operator()(const T& value) { bytes_ += sizeof value; }
+  template <class T>
+  void operator()(const std::vector<T>& values) {
+    bytes_ += sizeof(std::uint64_t);
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      bytes_ += values.size() * sizeof(T);
+    } else {
+      for (const T& value : values) (*this)(value);
+    }
+  }
+  void operator()(const std::string& text) { bytes_ += sizeof(std::uint64_t) + text.size(); }
+  std::size_t bytes() const { return bytes_; }
+
+ private:
+  std::size_t bytes_ = 0;
+};
+
 class Writer {
  public:
+  explicit Writer(std::size_t bytes) { bytes_.reserve(bytes); }
   template <class T>
   requires std::is_trivially_copyable_v<T>
   void operator()(const T& value) {
@@ -154,12 +177,17 @@ bool packs_fit(const PackedStage& stage, const Particles& particles) {
 }  // namespace
 
 std::string save_state(const RunState& run) {
-  Writer writer;
-  writer(format);
-  writer(std::uint64_t{run.seeded.laws.rows()});
-  transfer_state(writer, run);
-  writer(run.packed.has_value());
-  if (run.packed) transfer_packs(writer, *run.packed);
+  const auto write = [&](auto& archive) {
+    archive(format);
+    archive(std::uint64_t{run.seeded.laws.rows()});
+    transfer_state(archive, run);
+    archive(run.packed.has_value());
+    if (run.packed) transfer_packs(archive, *run.packed);
+  };
+  Counter counter;
+  write(counter);
+  Writer writer(counter.bytes());
+  write(writer);
   return writer.take();
 }
 

@@ -68,16 +68,18 @@ std::optional<StageEnd> keep_good(RunState& run) {
   return StageEnd{StageEnd::Why::unstable, "a velocity or stress is beyond all measure"};
 }
 
-// Checkpoints by the wall clock; they only copy the state and cannot change the run.
+// Checkpoints by the wall clock; they only write the state down and cannot change the run.
 class Checkpoints {
  public:
-  void maybe(const RunState& run, bool now) {
+  void maybe(RunState& run, bool now) {
     if (!run.listener->checkpoint) return;
     const std::chrono::duration<double> since = Wall::now() - last_;
     if (!now && since.count() < run.listener->checkpoint_interval_s) return;
-    RunState copy = run;
-    copy.run_time_before += std::chrono::duration<double>(Wall::now() - began_).count();
-    run.listener->checkpoint(save_state(copy), run.frames);
+    const double before = run.run_time_before;
+    run.run_time_before += std::chrono::duration<double>(Wall::now() - began_).count();
+    const std::string state = save_state(run);
+    run.run_time_before = before;
+    run.listener->checkpoint(state, run.frames);
     last_ = Wall::now();
   }
 
