@@ -45,7 +45,7 @@ set datafile separator ","
 set logscale xy
 set format "10^{%L}"
 set grid
-set key top left
+set key bottom right opaque
 set multiplot layout 1,2
 set title "One section, 2 s simulated"
 set xlabel "particles"
