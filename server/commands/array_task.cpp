@@ -41,7 +41,7 @@ void limit(decltype(RLIMIT_AS) what, rlim_t soft, rlim_t hard) {
 
 void apply(const RunLimits& limits) {
   limit(RLIMIT_CORE, 0, 0);
-#if !defined(__SANITIZE_ADDRESS__)  // whose shadow memory takes terabytes of address space
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // their shadow is terabytes
   if (limits.memory_bytes > 0) limit(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes);
 #endif
   if (limits.cpu_s > 0) limit(RLIMIT_CPU, limits.cpu_s, limits.cpu_s + 5);
