@@ -47,6 +47,12 @@ class Kill : public testing::Test {
     return workers;
   }
 
+  /// A job is booked as running once the first runs of it were started: "accepted" may linger.
+  static bool is_open(LedaServer& server, const std::string& job) {
+    const json status = server.get("/jobs/" + job)["status"];
+    return status == "accepted" || status == "running";
+  }
+
   static void expect_all_results_once(LedaServer& server, const std::string& job) {
     const json status = server.wait_for_job(job);
     EXPECT_EQ(status["status"], "successful") << status.dump(2);
@@ -68,7 +74,7 @@ TEST_F(Kill, TheServerAgainAndAgain) {
     if (job.empty()) job = submit(server);
     const auto workers = wait_for_workers(server);
     std::this_thread::sleep_for(50ms * (kills + 1));
-    EXPECT_EQ(server.get("/jobs/" + job)["status"], "running") << "there was nothing to kill";
+    EXPECT_TRUE(!workers.empty() && is_open(server, job)) << "there was nothing to kill";
     server.kill_hard();
     std::this_thread::sleep_for(200ms);
     for (const pid_t worker : workers) EXPECT_FALSE(is_alive(worker));
