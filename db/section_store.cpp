@@ -151,19 +151,4 @@ bool Store::set_section_state(std::int64_t section, SectionState state, const st
   });
 }
 
-int Store::requeue_running(const std::string& job) {
-  return connection_->write([&](Database& database) {
-    Query(database,
-          "UPDATE runs SET finished = ?2, outcome = 'interrupted', reason = 'the server stopped' "
-          "WHERE outcome IS NULL AND section_id IN (SELECT id FROM sections WHERE job_id = ?1)")
-        .with(job, utc_now())
-        .run();
-    return Query(database,
-                 "UPDATE sections SET state = 'waiting', reason = '' "
-                 "WHERE job_id = ? AND state = 'running'")
-        .with(job)
-        .run();
-  });
-}
-
 }  // namespace leda::db

@@ -104,8 +104,6 @@ class Store {
   std::vector<RunRecord> runs(std::int64_t section) const;  ///< every try, first to last
   /// Remembers what screening said of a section, JSON.
   void set_screening(std::int64_t section, const std::string& screening);
-  /// Puts back to waiting what was running (the server was killed) and returns how many.
-  int requeue_running(const std::string& job);
   /// One result a section: false, and nothing changed, where this run is in already, the section
   /// is finished, or it was dismissed. A result makes the section finished, an unstable one makes
   /// it failed with the result's reason (a later run may then replace it). `result_json` is kept

@@ -112,7 +112,7 @@ TEST_F(ResultStore, OfTwoRunsTheFirstResultStands) {
 }
 
 TEST_F(ResultStore, ARunThatWasRequeuedCanStillBeTakenIn) {
-  store.requeue_running("job-1");
+  store.set_section_state(id, SectionState::waiting, "");
   EXPECT_TRUE(take_in("run-1", result()));
   EXPECT_EQ(first().state, SectionState::finished);
   EXPECT_EQ(store.runs(id)[0].outcome, "result");

