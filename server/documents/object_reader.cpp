@@ -107,8 +107,8 @@ std::string ObjectReader::at(std::string_view key) const { return at_ + "/" + po
 
 const json* ObjectReader::find(std::string_view key) {
   if (!is_object_) return nullptr;
-  known_.emplace_back(key);
-  const auto member = value_->find(known_.back());
+  if (std::ranges::find(known_, key) == known_.end()) known_.emplace_back(key);
+  const auto member = value_->find(std::string(key));
   return member == value_->end() ? nullptr : &*member;
 }
 

@@ -265,6 +265,19 @@ TEST_P(BadCases, ReadersAndSchemaAgree) {
 INSTANTIATE_TEST_SUITE_P(Corpus, BadCases, testing::ValuesIn(corpus),
                          [](const auto& one) { return std::string(one.param.name); });
 
+TEST(UnknownKey, IsToldWithEachKnownOneOnce) {
+  const auto faults = parse_case_file(changed(R"([
+    {"op": "add", "path": "/materials/S1/softening/regularization", "value": "none"},
+    {"op": "add", "path": "/materials/S1/softening/gamma", "value": 1}])")
+                                          .dump())
+                          .faults;
+  ASSERT_EQ(faults.size(), 1U) << test::text(faults);
+  EXPECT_EQ(faults[0].message,
+            "is not known here; known are: law, alpha, beta, residual_strain, "
+            "remolded_strength_kPa, residual_strength_kPa, remolded_strain, reference_size_m, "
+            "regularization");
+}
+
 TEST(GoodCases, MatchTheSchema) {
   for (const char* name : {"sainte-monique-AA.json", "every-key.json", "small-bank.json"}) {
     const json document = json::parse(test::read_case(name));
