@@ -34,6 +34,13 @@ struct RunEnd {
   std::string reason;  ///< for people; empty after exit code 0
 };
 
+/// Whether the worker has told of any progress in this folder.
+bool has_begun(const std::filesystem::path& folder);
+
+/// The end of a run whose time was over. A run that had not begun lost its time to the machine or
+/// the cluster, so another try may do better: that one was killed. The others are over the limit.
+RunEnd out_of_time(const std::string& run, bool begun);
+
 class Executor {
  public:
   virtual ~Executor() = default;

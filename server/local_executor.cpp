@@ -104,6 +104,7 @@ void LocalExecutor::submit(const RunOrder& order) {
   }
   Worker worker;
   worker.process = child;
+  worker.folder = order.folder;
   worker.started = Clock::now();
   worker.oom_kills = oom_kills_before;
   running_[order.run] = worker;
@@ -128,8 +129,7 @@ RunEnd LocalExecutor::end_of(const std::string& run, int status, const Worker& w
     end.how = RunEnd::How::cancelled;
     end.reason = "cancelled";
   } else if (worker.over_wall) {
-    end.how = RunEnd::How::over_limit;
-    end.reason = "the run took longer than it may";
+    end = out_of_time(run, has_begun(worker.folder));
   } else if (signal_number == SIGXCPU) {
     end.how = RunEnd::How::over_limit;
     end.reason = "the run used more processor time than it may";

@@ -40,6 +40,7 @@ class LocalExecutor final : public Executor {
   using Clock = std::chrono::steady_clock;
   struct Worker {
     pid_t process = 0;
+    std::filesystem::path folder;
     Clock::time_point started;
     bool cancelled = false;
     bool over_wall = false;

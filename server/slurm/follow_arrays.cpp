@@ -113,7 +113,7 @@ void SlurmExecutor::end_task(Task& task, const Cluster::States& records, const s
   // Files of another machine may show later than the end of the task that wrote them.
   if ((says_done || !known) && !there && now - *task.gone < settings_.settle) return;
   if (known) {
-    tell(task, server::end_of(task.run, record->second, task.cancelled));
+    tell(task, server::end_of(task.run, record->second, task.cancelled, has_begun(task.folder)));
   } else if (there) {
     tell(task, {task.run, RunEnd::How::exited, 0, ""});
   } else if (task.cancelled) {

@@ -89,7 +89,7 @@ std::map<TaskKey, TaskState> read_records(std::string_view text) {
   return found;
 }
 
-RunEnd end_of(const std::string& run, const TaskState& task, bool asked) {
+RunEnd end_of(const std::string& run, const TaskState& task, bool asked, bool begun) {
   RunEnd end{run, RunEnd::How::exited, task.exit_code, ""};
   const bool by_itself = task.state == "COMPLETED" || (task.state == "FAILED" && task.signal == 0);
   if (by_itself) {
@@ -100,8 +100,7 @@ RunEnd end_of(const std::string& run, const TaskState& task, bool asked) {
     end.how = RunEnd::How::cancelled;
     end.reason = "cancelled";
   } else if (task.state == "TIMEOUT" || task.state == "DEADLINE") {
-    end.how = RunEnd::How::over_limit;
-    end.reason = "the run took longer than it may";
+    end = out_of_time(run, begun);
   } else if (task.state == "OUT_OF_MEMORY") {
     end.how = RunEnd::How::over_limit;
     end.reason = "the run used more memory than it may";

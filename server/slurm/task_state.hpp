@@ -34,7 +34,8 @@ std::map<TaskKey, TaskState> read_records(std::string_view text);
 
 /// The end of a run by the last state of its task.
 /// @param asked whether Leda cancelled it
-RunEnd end_of(const std::string& run, const TaskState& task, bool asked);
+/// @param begun whether the worker told of any progress
+RunEnd end_of(const std::string& run, const TaskState& task, bool asked, bool begun);
 
 /// Indices as sbatch --array takes them: "0-2,5". @param indices ascending
 std::string array_range(const std::vector<std::size_t>& indices);

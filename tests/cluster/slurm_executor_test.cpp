@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <fstream>
 #include <set>
 #include <thread>
 
+#include "server/spawn.hpp"
 #include "tests/cluster/one_node_slurm.hpp"
 #include "tests/server/executor_suite.hpp"
 
@@ -43,7 +45,9 @@ INSTANTIATE_TEST_SUITE_P(Slurm, ExecutorSuite,
                                return std::make_unique<SlurmExecutor>(program, quick_settings(),
                                                                       small(limits), state);
                              },
-                             OneNodeSlurm::missing, 60s}),
+                             OneNodeSlurm::missing,
+                             150s,  // Slurm looks for runs beyond their time every half minute
+                             60s}),
                          [](const auto& kind) { return kind.param.name; });
 
 class SlurmExecutorTest : public testing::Test {
@@ -218,6 +222,26 @@ TEST_F(SlurmExecutorTest, WhatNobodyKnowsAnyMoreCountsByItsResult) {
   }
   EXPECT_EQ(ends["with"], RunEnd::How::exited);
   EXPECT_EQ(ends["without"], RunEnd::How::killed);
+}
+
+TEST_F(SlurmExecutorTest, ARunThatSomebodyCancelsInTheQueueWasKilled) {
+  SlurmSettings settings = quick_settings();
+  settings.options = {"--hold"};
+  const auto of = executor(program("exit 0"), settings);
+  of->submit(order("r"));
+  std::vector<ArrayNote> kept;
+  const auto until = std::chrono::steady_clock::now() + 60s;
+  while ((kept.empty() || kept.front().id.empty()) && std::chrono::steady_clock::now() < until) {
+    EXPECT_TRUE(of->poll().empty());
+    std::this_thread::sleep_for(50ms);
+    kept = ArrayNotes(folder.path() / "notes").read();
+  }
+  ASSERT_EQ(kept.size(), 1U);
+  const std::atomic<bool> never{false};
+  ask_program({"scancel", kept.front().id}, 10s, never);
+  const RunEnd end = wait_for_end(*of);
+  EXPECT_EQ(end.run, "r");
+  EXPECT_EQ(end.how, RunEnd::How::killed) << "the dispatcher tries it again";
 }
 
 TEST_F(SlurmExecutorTest, WhatSlurmRefusesEndsWithItsWords) {

@@ -148,6 +148,30 @@ TEST_F(DispatcherTest, AfterThreeTriesTheSectionFailsWithItsReason) {
   EXPECT_EQ(section().reason, "the worker died of signal 9: out of memory");
 }
 
+TEST_F(DispatcherTest, ARunThatNeverBeganIsTriedAgainAndKeepsItsCheckpoint) {
+  add_job();
+  std::vector<std::string> checkpoints;
+  const auto running = dispatcher([&](const RunOrder& order) {
+    checkpoints.push_back(tests::read_text(order.folder / "checkpoint.bin"));
+    if (submitted > 1) return std::optional(out_of_time(order.run, false));
+    tests::write_text(order.folder / "checkpoint.bin", "state");
+    tests::write_text(order.folder / "frames.bin", "frames");
+    return std::optional(killed(order));
+  });
+  EXPECT_EQ(wait_for_end().state, JobState::failed);
+  EXPECT_EQ(checkpoints, (std::vector<std::string>{"", "state", "state"}));
+  EXPECT_EQ(section().state, SectionState::failed);
+  EXPECT_EQ(section().reason, "its time was over before the run had begun");
+}
+
+TEST_F(DispatcherTest, ARunThatTookLongerThanItMayIsNotTriedAgain) {
+  add_job();
+  const auto running = dispatcher(
+      [&](const RunOrder& order) { return std::optional(out_of_time(order.run, true)); });
+  EXPECT_EQ(wait_for_end().state, JobState::failed);
+  EXPECT_EQ(submitted, 1);
+}
+
 TEST_F(DispatcherTest, ATryGoesOnFromTheCheckpointOfTheOneBefore) {
   add_job();
   std::vector<bool> has_checkpoint;

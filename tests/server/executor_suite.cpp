@@ -120,6 +120,25 @@ TEST_P(ExecutorSuite, EndsARunThatUsesTooMuchProcessorTime) {
   EXPECT_EQ(wait_for_end(*of).how, RunEnd::How::over_limit);
 }
 
+TEST_P(ExecutorSuite, TimeThatWasOverBeforeARunBeganIsNoFaultOfTheRun) {
+  server::RunLimits limits;
+  limits.wall = GetParam().shortest_wall;
+  const auto of =
+      executor(program("[ -e $4/begins ] && echo {} > $4/progress.json; exec sleep 600"), limits);
+  std::ofstream(order("begun").folder / "begins") << "yes";
+  of->submit({"begun", folder.path() / "begun"});
+  of->submit(order("not begun"));
+  std::map<std::string, RunEnd> told;
+  const auto until = std::chrono::steady_clock::now() + GetParam().patience;
+  while (told.size() < 2 && std::chrono::steady_clock::now() < until) {
+    for (const RunEnd& end : of->poll()) told[end.run] = end;
+    std::this_thread::sleep_for(10ms);
+  }
+  EXPECT_EQ(told["begun"].how, RunEnd::How::over_limit);
+  EXPECT_EQ(told["not begun"].how, RunEnd::How::killed);
+  EXPECT_NE(told["not begun"].reason.find("before the run had begun"), std::string::npos);
+}
+
 TEST_P(ExecutorSuite, TellsEachEndOnce) {
   const auto of = executor(program("exit $(cat $4/code)"));
   std::map<std::string, int> wanted;

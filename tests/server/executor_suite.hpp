@@ -24,6 +24,7 @@ struct ExecutorKind {
   /// Why it can't be tested here; empty: it can.
   std::function<std::string()> missing = [] { return std::string(); };
   std::chrono::seconds patience{20};  ///< how long a short run may take to be told
+  std::chrono::seconds shortest_wall{1};
 };
 
 class ExecutorSuite : public testing::TestWithParam<ExecutorKind> {

@@ -63,14 +63,6 @@ class LocalExecutorTest : public testing::Test {
   tests::TemporaryFolder folder;
 };
 
-TEST_F(LocalExecutorTest, EndsARunThatTakesTooLong) {
-  RunLimits limits;
-  limits.wall = 1s;
-  LocalExecutor executor(program("exec sleep 60"), 1, limits);
-  executor.submit(order("r"));
-  EXPECT_EQ(wait_for_end(executor).how, RunEnd::How::over_limit);
-}
-
 TEST_F(LocalExecutorTest, WorkersDieWithTheServer) {
   const auto script = program("echo $$ > $4/pid; exec sleep 60");
   const RunOrder run = order("r");

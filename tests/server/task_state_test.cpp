@@ -40,6 +40,7 @@ struct End {
   bool asked;
   RunEnd::How how;
   std::string words;
+  bool begun = true;
 };
 
 TEST(TaskState, EveryStateIsOneEnd) {
@@ -51,14 +52,21 @@ TEST(TaskState, EveryStateIsOneEnd) {
       {{"1", "FAILED", 0, 9}, false, How::killed, "signal 9"},
       {{"1", "FAILED", 0, 24}, false, How::over_limit, "processor time"},
       {{"1", "TIMEOUT", 0, 15}, false, How::over_limit, "longer"},
+      {{"1", "DEADLINE", 0, 0}, false, How::over_limit, "longer"},
+      {{"1", "TIMEOUT", 0, 15}, false, How::killed, "before the run had begun", false},
+      {{"1", "DEADLINE", 0, 0}, false, How::killed, "before the run had begun", false},
+      {{"1", "TIMEOUT", 0, 15}, true, How::cancelled, "cancelled", false},
+      {{"1", "OUT_OF_MEMORY", 0, 125}, false, How::over_limit, "memory", false},
       {{"1", "OUT_OF_MEMORY", 0, 125}, false, How::over_limit, "memory"},
       {{"1", "CANCELLED", 0, 15}, true, How::cancelled, "cancelled"},
       {{"1", "CANCELLED", 0, 15}, false, How::killed, "cancelled in Slurm"},
+      {{"1", "CANCELLED", 0, 0}, false, How::killed, "cancelled in Slurm", false},
       {{"1", "NODE_FAIL", 0, 0}, false, How::killed, "node"},
+      {{"1", "BOOT_FAIL", 0, 0}, false, How::killed, "node", false},
       {{"1", "PREEMPTED", 0, 0}, false, How::killed, "room"}};
-  for (const auto& [task, asked, how, words] : ends) {
+  for (const auto& [task, asked, how, words, begun] : ends) {
     EXPECT_TRUE(task.is_over());
-    const RunEnd end = end_of("r", task, asked);
+    const RunEnd end = end_of("r", task, asked, begun);
     EXPECT_EQ(end.how, how) << task.state;
     EXPECT_NE(end.reason.find(words), std::string::npos) << end.reason;
     EXPECT_EQ(end.reason.empty(), words.empty()) << end.reason;
