@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
 
 #include "server/spawn.hpp"
 
@@ -17,10 +18,11 @@ using namespace std::chrono_literals;
 
 const std::string script = std::string(LEDA_SOURCE_DIR) + "/deploy/slurm/one-node.sh";
 
-void run(const std::vector<std::string>& arguments) {
+/// @return what the program printed
+std::string run(const std::vector<std::string>& arguments) {
   const std::atomic<bool> never{false};
   const auto said = server::ask_program(arguments, 90s, never);
-  if (said.ended && said.exit_code == 0) return;
+  if (said.ended && said.exit_code == 0) return said.out;
   std::string text;
   for (const auto& argument : arguments) text += argument + " ";
   throw std::runtime_error(text + "failed: " + said.errors);
@@ -56,6 +58,17 @@ OneNodeSlurm::~OneNodeSlurm() {
 
 void OneNodeSlurm::call(const std::string& what, const std::string& daemon) {
   run({script, what, daemon, folder_.path().string()});
+}
+
+int OneNodeSlurm::cores() const { return std::stoi(run({"sinfo", "-h", "-o", "%c"})); }
+
+void OneNodeSlurm::clear() {
+  const auto until = std::chrono::steady_clock::now() + 60s;
+  while (!run({"squeue", "-h"}).empty()) {
+    if (std::chrono::steady_clock::now() > until) throw std::runtime_error("the queue stays full");
+    run({"scancel", "--user=root"});
+    std::this_thread::sleep_for(200ms);
+  }
 }
 
 int OneNodeSlurm::completed(const std::string& text) const {

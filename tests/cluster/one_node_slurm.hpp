@@ -23,6 +23,10 @@ class OneNodeSlurm {
 
   /// Calls one-node.sh: "start", "stop" or "kill" of "controller" or "node".
   void call(const std::string& what, const std::string& daemon);
+  /// Cores that Slurm gives away: those of this process, which may be fewer than the machine's.
+  int cores() const;
+  /// Ends all that is in the queue, and waits until it is empty.
+  void clear();
   /// Lines of the file of completed jobs that contain a text.
   int completed(const std::string& text) const;
   std::filesystem::path completion_file() const { return folder_.path() / "log" / "jobcomp.txt"; }
