@@ -68,12 +68,14 @@ TEST(DeployFiles, TheContainerHasEveryLibraryOfTheProgram) {
       {"libprometheus-cpp-core.so", "libprometheus-cpp-core1.0"}};
   const auto own = run_program({"readelf", "-d", LEDA_PROGRAM});
   if (!own) GTEST_SKIP() << "readelf is not installed";
+  if (std::regex_search(own->text, std::regex("lib[a-z]+san\\."))) {
+    GTEST_SKIP() << "built with a sanitizer: what it links stands in no container";
+  }
   const std::regex needed("\\(NEEDED\\).*\\[([^\\]]+)\\]");
   int found = 0;
   for (std::sregex_iterator at(own->text.begin(), own->text.end(), needed), end; at != end; ++at) {
     const std::string library = (*at)[1];
-    if (std::regex_search(
-            library, std::regex("^(libc|libm|libstdc\\+\\+|libgcc_s|ld-linux.*|lib[a-z]+san)\\.")))
+    if (std::regex_search(library, std::regex("^(libc|libm|libstdc\\+\\+|libgcc_s|ld-linux.*)\\.")))
       continue;
     const auto known = std::find_if(packages.begin(), packages.end(), [&](const auto& entry) {
       return library.starts_with(entry.first);
