@@ -1,6 +1,6 @@
 #pragma once
-// What stands behind a Store: one connection that writes, and as many that read as are needed at
-// the same time. In WAL readers and the writer do not wait for each other. Private to db/.
+// What stands behind a Store: one connection that writes, and a few that read at the same time. In
+// WAL readers and the writer do not wait for each other. Private to db/.
 
 #include <memory>
 #include <mutex>
@@ -8,6 +8,7 @@
 
 #include "db/database.hpp"
 #include "db/store.hpp"
+#include "db/turns.hpp"
 
 namespace leda::db {
 
@@ -25,17 +26,19 @@ class Store::Connection {
     return writer_.write([&] { return work(writer_); });
   }
 
-  /// One unchanging view of the data, with every transaction that was answered before it. Threads
-  /// do not wait for each other.
+  /// One unchanging view of the data, with every transaction that was answered before it. `work`
+  /// must not ask the store again: it might wait for itself.
   template <class Work>
   auto read(Work work) {
+    const Turns::Turn turn(turns_);
     const Lease reader(*this);
     return reader->read([&] { return work(*reader); });
   }
 
  private:
-  /// More readers than these are closed again after use.
-  static constexpr std::size_t most_idle = 8;
+  /// Reading is work for a core. A reader that is opened for a single question costs more than the
+  /// answer.
+  static constexpr std::uint64_t most_readers = 8;
 
   /// A reader that is nobody else's meanwhile.
   class Lease {
@@ -66,12 +69,13 @@ class Store::Connection {
 
   void give_back(std::unique_ptr<Database> reader) {
     const std::lock_guard lock(mutex_);
-    if (idle_.size() < most_idle) idle_.push_back(std::move(reader));
+    idle_.push_back(std::move(reader));
   }
 
   std::filesystem::path file_;
   std::chrono::milliseconds busy_timeout_;
   Database writer_;
+  Turns turns_{most_readers};
   std::mutex mutex_;  ///< guards idle_
   std::vector<std::unique_ptr<Database>> idle_;
 };

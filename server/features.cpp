@@ -175,20 +175,18 @@ std::optional<Collection> collection_from(const std::string& id) {
   return std::nullopt;
 }
 
-std::vector<json> feature_page(const db::Store& store, Collection collection,
-                               const db::PageFilter& filter) {
+void for_each_feature(const db::Store& store, Collection collection, const db::PageFilter& filter,
+                      const std::function<void(json&&)>& use) {
   Grounds grounds(store);
-  std::vector<json> features;
   if (collection == Collection::sections) {
     for (const auto& section : store.section_page(filter)) {
-      features.push_back(section_as_feature(section, grounds.of(section.job)));
+      use(section_as_feature(section, grounds.of(section.job)));
     }
-    return features;
+    return;
   }
   for (const auto& zone : store.zone_page(kind_of(collection), filter)) {
-    features.push_back(zone_as_feature(zone, grounds.of(zone.job)));
+    use(zone_as_feature(zone, grounds.of(zone.job)));
   }
-  return features;
 }
 
 int count_features(const db::Store& store, Collection collection, const db::PageFilter& filter) {
@@ -246,10 +244,6 @@ void keep_boxes(db::Store& store, const db::JobRecord& job) {
     // A job is worth more than its place in a search by box.
     log_warning(job.id, "no boxes reason={}", in_quotes(error.what()));
   }
-}
-
-json feature_collection(const std::vector<json>& features) {
-  return {{"type", "FeatureCollection"}, {"features", features}};
 }
 
 }  // namespace leda::server

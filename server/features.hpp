@@ -4,10 +4,10 @@
 // feature; its type is told by schema_of as well.
 
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "db/store.hpp"
 
@@ -21,9 +21,10 @@ inline constexpr std::array all_collections{Collection::sections, Collection::re
 const char* to_string(Collection collection);
 std::optional<Collection> collection_from(const std::string& id);
 
-/// A page of features. Where `filter` names a job, the job must have a DEM.
-std::vector<nlohmann::json> feature_page(const db::Store& store, Collection collection,
-                                         const db::PageFilter& filter);
+/// Calls `use` with each feature of a page: as JSON a page takes twenty times its text. Where
+/// `filter` names a job, the job must have a DEM.
+void for_each_feature(const db::Store& store, Collection collection, const db::PageFilter& filter,
+                      const std::function<void(nlohmann::json&&)>& use);
 
 /// How many features a filter finds, over all pages.
 int count_features(const db::Store& store, Collection collection, const db::PageFilter& filter);
@@ -38,7 +39,5 @@ nlohmann::json schema_of(Collection collection);
 /// a layout and after zones were stored; a job without a DEM is left alone. What cannot be placed
 /// is told in the log.
 void keep_boxes(db::Store& store, const db::JobRecord& job);
-
-nlohmann::json feature_collection(const std::vector<nlohmann::json>& features);
 
 }  // namespace leda::server

@@ -128,7 +128,7 @@ void handle(Service& service, const httplib::Request& request, httplib::Response
     return whole;
   };
   Told told;
-  const Answer answer = safe_answer(service, call, path_of(request), told);
+  Answer answer = safe_answer(service, call, path_of(request), told);
   send(service, answer, response);
   if (body_left) close_after_this_answer();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace leda::server {
@@ -37,7 +38,7 @@ void send_stream(Service& service, const Answer& answer, httplib::Response& resp
 
 }  // namespace
 
-void send(Service& service, const Answer& answer, httplib::Response& response) {
+void send(Service& service, Answer& answer, httplib::Response& response) {
   response.status = answer.status;
   for (const auto& [name, value] : answer.headers) response.set_header(name, value);
   response.set_header("X-Content-Type-Options", "nosniff");
@@ -46,7 +47,8 @@ void send(Service& service, const Answer& answer, httplib::Response& response) {
   } else if (!answer.file.empty()) {
     send_file(answer.file, answer.type, response);
   } else {
-    response.set_content(answer.body, answer.type);
+    response.body = std::move(answer.body);  // set_content() would copy it
+    response.set_header("Content-Type", answer.type);
   }
 }
 

@@ -8,7 +8,8 @@
 
 namespace leda::server {
 
+/// Takes the body out of the answer.
 /// @throws std::runtime_error where the file of an answer cannot be read
-void send(Service& service, const Answer& answer, httplib::Response& response);
+void send(Service& service, Answer& answer, httplib::Response& response);
 
 }  // namespace leda::server

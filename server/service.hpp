@@ -10,6 +10,7 @@
 #include <string>
 
 #include "db/store.hpp"
+#include "db/turns.hpp"
 #include "server/auth.hpp"
 #include "server/data_folder.hpp"
 #include "server/dispatcher.hpp"
@@ -47,6 +48,7 @@ struct Service {
   db::Store store;
   Metrics metrics;
   std::mutex submitting;              ///< one job is added at a time, so that a key is used once
+  db::Turns pages{8};                 ///< of many sections: each takes megabytes while it is made
   std::atomic<int> streams{0};        ///< of events, open now
   std::atomic<int> registrations{0};  ///< of DEMs, going on now
   std::atomic<bool> stopping{false};

@@ -1,6 +1,7 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "server/features.hpp"
 #include "server/handlers/handlers.hpp"
@@ -91,6 +92,10 @@ json collection_document(const Service& service, Collection collection) {
                              link(own + "/schema", "describedby", "application/schema+json")})}};
 }
 
+std::string text_of(const json& document) {
+  return document.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
 Answer geojson_answer(const json& document) {
   Answer answer = json_answer(document);
   answer.type = "application/geo+json";
@@ -128,21 +133,32 @@ Answer get_items(Service& service, const Call& call) {
   const db::PageFilter filter = filter_of(service, call);
   const bool any = has_a_map(service, filter);
   const int matched = any ? count_features(service.store, collection, filter) : 0;
-  const auto features = any ? feature_page(service.store, collection, filter) : std::vector<json>{};
-  const int returned = static_cast<int>(features.size());
+  Answer answer;
+  answer.type = "application/geo+json";
+  // Written piece by piece: a whole page as JSON takes many times as much as its text.
+  answer.body = R"({"type":"FeatureCollection","features":[)";
+  int returned = 0;
+  if (any) {
+    const db::Turns::Turn turn(service.pages);
+    for_each_feature(service.store, collection, filter, [&](const json& feature) {
+      answer.body += returned++ == 0 ? "\n" : ",\n";
+      answer.body += text_of(feature);
+    });
+  }
   const std::string own = service.url + "/collections/" + to_string(collection);
-  json document = feature_collection(features);
-  document["links"] = json::array(
+  json rest;
+  rest["links"] = json::array(
       {link(with_offset(call, own + "/items", filter.offset), "self", "application/geo+json")});
   if (returned > 0 && filter.offset + returned < matched) {
-    document["links"].push_back(link(with_offset(call, own + "/items", filter.offset + returned),
-                                     "next", "application/geo+json"));
+    rest["links"].push_back(link(with_offset(call, own + "/items", filter.offset + returned),
+                                 "next", "application/geo+json"));
   }
-  document["links"].push_back(link(own, "collection", "application/json"));
-  document["numberMatched"] = matched;
-  document["numberReturned"] = returned;
-  document["timeStamp"] = db::utc_now();
-  return geojson_answer(document);
+  rest["links"].push_back(link(own, "collection", "application/json"));
+  rest["numberMatched"] = matched;
+  rest["numberReturned"] = returned;
+  rest["timeStamp"] = db::utc_now();
+  answer.body += "],\n" + text_of(rest).substr(1) + "\n";
+  return answer;
 }
 
 Answer get_item(Service& service, const Call& call) {
@@ -154,16 +170,19 @@ Answer get_item(Service& service, const Call& call) {
   const bool is_id = error == std::errc{} && end == text.data() + text.size();
   db::PageFilter filter;
   filter.id = id;
-  auto found = is_id ? feature_page(service.store, collection, filter) : std::vector<json>{};
-  if (found.empty()) {
+  json found;
+  if (is_id) {
+    for_each_feature(service.store, collection, filter,
+                     [&](json&& feature) { found = std::move(feature); });
+  }
+  if (found.is_null()) {
     throw Problem(Failure::no_such_resource,
                   "there is no feature " + text + " in " + to_string(collection));
   }
   const std::string own = service.url + "/collections/" + to_string(collection);
-  found.front()["links"] =
-      json::array({link(own + "/items/" + text, "self", "application/geo+json"),
-                   link(own, "collection", "application/json")});
-  return geojson_answer(found.front());
+  found["links"] = json::array({link(own + "/items/" + text, "self", "application/geo+json"),
+                                link(own, "collection", "application/json")});
+  return geojson_answer(found);
 }
 
 }  // namespace leda::server

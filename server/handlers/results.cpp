@@ -55,7 +55,8 @@ db::PageFilter all_of(const db::JobRecord& job) {
   return filter;
 }
 
-json rows_of(const Service& service, const db::JobRecord& job, const db::PageFilter& page) {
+json rows_of(Service& service, const db::JobRecord& job, const db::PageFilter& page) {
+  const db::Turns::Turn turn(service.pages);
   json rows = json::array();
   const std::string own = service.url + "/jobs/" + job.id + "/sections/";
   const auto raster = service.store.raster(job.raster);
@@ -93,12 +94,14 @@ json wanted_of(json outputs, const ExecuteOptions& options) {
   return wanted;
 }
 
-json outputs_of(const Service& service, const db::JobRecord& job) {
+json outputs_of(Service& service, const db::JobRecord& job) {
   json outputs = {{"sections", rows_of(service, job, all_of(job))}};
   if (epsg_of(service.store, job) != 0) {
     for (const Collection zones : {Collection::release_zones, Collection::runout_zones}) {
-      outputs[to_string(zones)] =
-          feature_collection(feature_page(service.store, zones, all_of(job)));
+      json features = json::array();
+      for_each_feature(service.store, zones, all_of(job),
+                       [&](json&& feature) { features.push_back(std::move(feature)); });
+      outputs[to_string(zones)] = {{"type", "FeatureCollection"}, {"features", features}};
     }
   }
   return outputs;

@@ -80,6 +80,21 @@ TEST(StoreFile, ReadersDoNotWaitForAWriter) {
   EXPECT_EQ(store.count_jobs({}), 2);
 }
 
+TEST(StoreFile, MoreThreadsReadThanThereAreReaders) {
+  const ScratchFolder folder;
+  Store store(folder / "leda.sqlite");
+  store.add_job(job("job-1"));
+  std::atomic<int> found{0};
+  std::vector<std::thread> threads;
+  threads.reserve(40);
+  for (int i = 0; i < 40; ++i)
+    threads.emplace_back([&] {
+      for (int k = 0; k < 50; ++k) found += store.job("job-1").has_value() ? 1 : 0;
+    });
+  for (auto& thread : threads) thread.join();
+  EXPECT_EQ(found, 2000);
+}
+
 TEST(StoreFile, ThreadsThatWriteTakeTurns) {
   const ScratchFolder folder;
   Store store(folder / "leda.sqlite");
