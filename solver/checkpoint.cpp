@@ -4,11 +4,13 @@
 #include <cstring>
 #include <type_traits>
 
+#include "solver/time_step.hpp"
+
 namespace leda::solver {
 
 namespace {
 
-constexpr std::uint64_t format = 0x4c454441'00000003;  // "LEDA", 3
+constexpr std::uint64_t format = 0x4c454441'00000004;  // "LEDA", 4
 
 // The bytes that Writer will write, so that they are asked for once.
 class Counter {
@@ -47,6 +49,7 @@ class Writer {
   }
   void operator()(const std::vector<double>& values) { block(values); }
   void operator()(const std::vector<std::int32_t>& values) { block(values); }
+  void operator()(const std::vector<Real>& values) { block(values); }
   void operator()(const std::string& text) {
     (*this)(std::uint64_t{text.size()});
     bytes_.append(text);
@@ -80,6 +83,7 @@ class Reader {
   }
   void operator()(std::vector<double>& values) { block(values); }
   void operator()(std::vector<std::int32_t>& values) { block(values); }
+  void operator()(std::vector<Real>& values) { block(values); }
   void operator()(std::string& text) {
     const std::uint64_t count = size();
     if (take(count)) text.assign(bytes_, at_ - count, count);
@@ -147,6 +151,7 @@ void transfer_packs(Archive& archive, Stage& stage) {
   archive(stage.packs.place);
   archive(stage.packs.motion);
   archive(stage.grid.top);
+  archive(stage.grid.mass);  // of ground at rest it is not found anew
   archive(stage.strayed);
   archive(stage.kept);
   archive(stage.rest);
@@ -159,6 +164,7 @@ bool packs_fit(const PackedStage& stage, const Particles& particles) {
   const Packs& packs = stage.packs;
   if (packs.count != particles.count || packs.place.size() != packs.pack.size() ||
       packs.motion.size() != packs.pack.size() || stage.grid.top.size() != stage.grid.columns ||
+      stage.grid.mass.size() != (stage.laws.softer ? stage.grid.columns * stage.grid.stride : 0) ||
       stage.rest.size() != groups_of(stage.grid)) {
     return false;
   }
@@ -203,8 +209,8 @@ bool load_state(const std::string& bytes, RunState& run) {
   reader(packed);
   if (packed) {
     read.packed = PackedStage{};
-    read.packed->grid = make_pack_grid(run.seeded.grid);
-    read.packed->laws = pack_laws(run.seeded.laws);
+    read.packed->grid = make_pack_grid(run.seeded.grid, takes_long_steps(*run.settings));
+    read.packed->laws = pack_laws(run.seeded.laws, takes_long_steps(*run.settings));
     transfer_packs(reader, *read.packed);
   }
   const Particles& p = read.seeded.particles;

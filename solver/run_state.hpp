@@ -22,6 +22,7 @@ struct StageClock {
   double next_look = 0, next_frame = 0;  ///< s
   double still_since = -1;               ///< no particle faster than the rest speed since, s
   double still_kinetic = 0;              ///< kinetic energy then, J per metre
+  std::int64_t looks = 0;
 };
 
 struct RunState {
@@ -29,7 +30,8 @@ struct RunState {
   const RunSettings* settings = nullptr;
   const Listener* listener = nullptr;
 
-  Seeded seeded;  ///< its particles are those of the last look while `packed` holds a stage
+  Seeded seeded;  ///< its particles are those of the last check while `packed` holds a stage;
+                  ///< positions, of the last look
   std::optional<PackedStage> packed;
   std::shared_ptr<Team> team;  ///< of the process, no part of the state
   CrestAndToe bank;

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "solver/checkpoint.hpp"
+#include "solver/time_step.hpp"
 
 namespace leda::solver {
 
@@ -13,6 +14,7 @@ constexpr double rest_speed = 0.05;    // m/s
 constexpr double rest_kinetic = 1e-4;  // of the peak
 constexpr double rest_window_s = 1.0;
 constexpr double most_energy_fed = 0.1;  // of the scale of the audit
+constexpr std::int64_t looks_between_checks = 5;
 
 using Wall = std::chrono::steady_clock;
 
@@ -71,10 +73,14 @@ std::optional<StageEnd> keep_good(RunState& run) {
 // Checkpoints by the wall clock; they only write the state down and cannot change the run.
 class Checkpoints {
  public:
-  void maybe(RunState& run, bool now) {
-    if (!run.listener->checkpoint) return;
+  bool is_due(const RunState& run) const {
+    if (!run.listener->checkpoint) return false;
     const std::chrono::duration<double> since = Wall::now() - last_;
-    if (!now && since.count() < run.listener->checkpoint_interval_s) return;
+    return since.count() >= run.listener->checkpoint_interval_s;
+  }
+
+  void save(RunState& run) {
+    if (!run.listener->checkpoint) return;
     const double before = run.run_time_before;
     run.run_time_before += std::chrono::duration<double>(Wall::now() - began_).count();
     const std::string state = save_state(run);
@@ -94,37 +100,64 @@ void begin(RunState& run, StageClock::Stage stage) {
   run.clock.next_look = run.time + run.slides.look_interval_s();
   run.clock.next_frame = run.time + run.settings->output.frame_interval_s;
   if (!run.settings->full && packs_can_run(run.seeded.grid, run.seeded.laws)) {
-    run.packed = begin_packed_stage(run.seeded.particles, run.seeded.grid, run.seeded.laws);
+    run.packed = begin_packed_stage(run.seeded.particles, run.seeded.grid, run.seeded.laws,
+                                    takes_long_steps(*run.settings));
     run.travel = 0;
   }
+}
+
+// The state of the packs, to where it is looked at.
+void unpack_state(RunState& run) {
+  if (run.packed) unpack(run.packed->packs, run.packed->grid, run.seeded.particles);
+}
+
+void unpack_positions(RunState& run) {
+  if (run.packed) unpack_positions(run.packed->packs, run.packed->grid, run.seeded.particles);
+}
+
+// A look at the surface, and every fifth time at all of the state.
+std::optional<StageEnd> look_at(RunState& run, Checkpoints& checkpoints) {
+  run.clock.next_look += run.slides.look_interval_s();
+  const bool rests = at_rest(run);
+  const bool checks = ++run.clock.looks % looks_between_checks == 0 || rests;
+  const bool interrupted = run.listener->interrupted && run.listener->interrupted();
+  const bool saves = interrupted || checkpoints.is_due(run);
+  if (checks || saves) {
+    unpack_state(run);
+  } else {
+    unpack_positions(run);
+  }
+  look(run);
+  if (checks) {
+    if (auto end = check_plastic_work(run)) return end;
+    if (auto end = keep_good(run)) return end;
+  }
+  if (rests) return StageEnd{};
+  if (saves) checkpoints.save(run);
+  if (interrupted) return StageEnd{StageEnd::Why::interrupted, ""};
+  return {};
+}
+
+std::optional<StageEnd> show_frame_if_due(RunState& run) {
+  const double interval = run.settings->output.frame_interval_s;
+  if (interval <= 0 || run.time < run.clock.next_frame) return {};
+  unpack_state(run);
+  if (auto end = keep_good(run)) return end;
+  show_frame(run);
+  run.clock.next_frame += interval;
+  return {};
 }
 
 StageEnd run_steps(RunState& run) {
   if (auto end = keep_good(run)) return *end;
   Checkpoints checkpoints;
-  const double frames = run.settings->output.frame_interval_s;
   while (run.time < run.settings->stop.max_time_s) {
     if (auto end = advance(run, run.seeded.laws, run.settings->damping.dynamic, true)) return *end;
-    const bool frame_due = frames > 0 && run.time >= run.clock.next_frame;
-    const bool look_due = run.time >= run.clock.next_look;
-    if (run.packed && (frame_due || look_due || run.time >= run.settings->stop.max_time_s)) {
-      unpack(run.packed->packs, run.packed->grid, run.seeded.particles);
-    }
-    if (frame_due) {
-      if (auto end = keep_good(run)) return *end;
-      show_frame(run);
-      run.clock.next_frame += frames;
-    }
-    if (!look_due) continue;
-    run.clock.next_look += run.slides.look_interval_s();
-    look(run);
-    if (auto end = check_plastic_work(run)) return *end;
-    if (auto end = keep_good(run)) return *end;
-    if (at_rest(run)) return {};
-    const bool interrupted = run.listener->interrupted && run.listener->interrupted();
-    checkpoints.maybe(run, interrupted);
-    if (interrupted) return {StageEnd::Why::interrupted, ""};
+    if (auto end = show_frame_if_due(run)) return *end;
+    if (run.time < run.clock.next_look) continue;
+    if (auto end = look_at(run, checkpoints)) return *end;
   }
+  unpack_state(run);
   return {StageEnd::Why::time_limit, ""};
 }
 

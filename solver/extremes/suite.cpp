@@ -1,5 +1,7 @@
 #include "solver/extremes/suite.hpp"
 
+#include <algorithm>
+
 #include "solver/extremes/banks.hpp"
 
 namespace leda::solver {
@@ -177,17 +179,27 @@ void add_time_steps(std::vector<ExtremeCase>& suite) {
     suite.back().settings.time_step_factor = std::stod(factor);
     return suite.back();
   };
-  add("0.5", "time-step factor 0.5");
+  add("0.5", "time-step factor 0.5").quick = true;
   add("0.65", "time-step factor 0.65, the default").promise.like = "time-step-0.5";
   add("0.3", "time-step factor 0.3").promise.like = "time-step-0.5";
-  ExtremeCase& most = add("0.7", "time-step factor 0.7, the most a case may ask for");
+  ExtremeCase& most = add("1", "time-step factor 1, the most a case may ask for");
   most.promise.like = "time-step-0.5";
-  most.quick = false;
-  ExtremeCase& coarse = add("0.7", "time-step factor 0.7 and one particle a cell, on borders");
+  most.quick = true;
+  ExtremeCase& coarse = add("1", "time-step factor 1 and one particle a cell, on borders");
   coarse.name += "-on-borders";
   coarse.settings.resolution.particles_per_cell = 1;
   coarse.promise.statuses.push_back(RunStatus::time_limit);
-  ExtremeCase& refused = add("0.71", "time-step factor beyond the limit");
+  // What limits the step where nothing is softer: fins, lonely particles, ground that flows.
+  for (const char* name : {"sliver", "lonely-particles", "remolded-0.07", "beta-1000"}) {
+    const auto like = std::ranges::find(suite, name, &ExtremeCase::name);
+    ExtremeCase longest = *like;
+    longest.name += "-time-step-1";
+    longest.extreme += ", time-step factor 1";
+    longest.settings.time_step_factor = 1;
+    longest.quick = true;
+    suite.push_back(longest);
+  }
+  ExtremeCase& refused = add("1.01", "time-step factor beyond the limit");
   refused.refused_at = "/time_step_factor";
   refused.quick = true;
   ExtremeCase& broken = add("2.5", "time-step factor far beyond the limit, past validation");

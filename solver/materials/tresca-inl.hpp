@@ -24,6 +24,11 @@ struct PlaneStrain {
 };
 
 template <class V>
+struct Moduli {
+  V bulk, shear;  ///< Pa
+};
+
+template <class V>
 struct PlaneStress {
   V xx, zz, xz, yy;
 };
@@ -106,14 +111,14 @@ struct StressStep {
 };
 
 /// Stress after a strain increment and a rotation `spin` = w_xz dt, w = (dvx/dz - dvz/dx) / 2,
-/// from stress `old` and plastic strain `gamma`, in dt seconds.
+/// from stress `old` and plastic strain `gamma`, in dt seconds, with the moduli given.
 /// `Viscous`: laws.viscous is used.
 template <bool Viscous, class D, class Laws>
 HWY_INLINE StressStep<D> next_stress(D d, const LawRows<D>& row, const Laws& laws,
                                      const PlaneStress<hn::Vec<D>>& old, hn::Vec<D> gamma,
                                      const PlaneStrain<hn::Vec<D>>& e, hn::Vec<D> spin,
-                                     hn::Vec<D> dt) {
-  const auto g = row(laws.shear), bulk = row(laws.bulk);
+                                     hn::Vec<D> dt, const Moduli<hn::Vec<D>>& moduli) {
+  const auto g = moduli.shear, bulk = moduli.bulk;
   const auto g2 = hn::Add(g, g), half = constant(d, 0.5);
   const auto lame = hn::NegMulAdd(constant(d, 2.0 / 3.0), g, bulk);
   const auto pressure = hn::Mul(lame, hn::Add(e.xx, e.zz));

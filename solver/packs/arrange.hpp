@@ -18,6 +18,9 @@ bool rearrange(Packs& packs, PackGrid& grid);
 /// Finds the groups of packs that stand in their places.
 void find_groups(Packs& packs, const PackGrid& grid);
 
+/// Writes where the points are to the particles they came from.
+void unpack_positions(const Packs& packs, const PackGrid& grid, Particles& particles);
+
 /// Writes what the packs hold to the particles they came from.
 /// @pre the last step kept the motion
 void unpack(const Packs& packs, const PackGrid& grid, Particles& particles);

@@ -2,7 +2,7 @@
 
 namespace leda::solver {
 
-PackGrid make_pack_grid(const Grid& grid) {
+PackGrid make_pack_grid(const Grid& grid, bool keeps_mass) {
   PackGrid g;
   g.h = grid.h;
   g.columns = grid.columns;
@@ -11,6 +11,7 @@ PackGrid make_pack_grid(const Grid& grid) {
   g.stride = (PackGrid::lead + grid.rows + Pack::lanes + 2 + 7) / 8 * 8;
   g.sums.assign(g.columns * PackGrid::values * PackGrid::planes * g.stride, Real{0});
   g.velocity.assign(g.columns * 2 * g.stride, Real{0});
+  if (keeps_mass) g.mass.assign(g.columns * g.stride, Real{0});
   g.top.assign(g.columns, 0);
   return g;
 }

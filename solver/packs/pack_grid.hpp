@@ -22,6 +22,7 @@ struct PackGrid {
   std::size_t stride = 0;        ///< of a plane
   std::vector<Real> sums;        ///< [columns][values][planes][stride]
   std::vector<Real> velocity;    ///< [columns][x z][stride]
+  std::vector<Real> mass;        ///< [columns][stride] of the last update; empty where not kept
   std::vector<std::size_t> top;  ///< rows in use in each column
 
   Real* sums_at(std::size_t column, std::size_t row) {
@@ -30,6 +31,7 @@ struct PackGrid {
   Real* velocity_at(std::size_t column, std::size_t row) {
     return &velocity[column * 2 * stride + lead + row];
   }
+  Real* mass_at(std::size_t column, std::size_t row) { return &mass[column * stride + lead + row]; }
 };
 
 /// Groups of columns there are.
@@ -37,7 +39,7 @@ inline std::size_t groups_of(const PackGrid& grid) {
   return (grid.columns + columns_of_a_group - 1) / columns_of_a_group;
 }
 
-PackGrid make_pack_grid(const Grid& grid);
+PackGrid make_pack_grid(const Grid& grid, bool keeps_mass = false);
 
 /// The momentum balance on the nodes of columns `first` to `last` - 1, as update_velocity does it
 /// (the image columns go with the column they mirror). The sums are zero afterwards. Of the sums

@@ -77,6 +77,18 @@ HWY_INLINE void fold_base(const Nodes& n) {
   }
 }
 
+// Keeps the masses of a column as if the ground went on beyond the edges, as its images do.
+HWY_INLINE void keep_mass(PackGrid& grid, std::size_t column, const Nodes& n) {
+  if (grid.mass.empty()) return;
+  const std::size_t top = whole_vectors(grid.top[column]);
+  const Real own = column == 1 || column == grid.columns - 2 ? 2 : 1;
+  const Real* from = n.value(0);
+  Real* to = grid.mass_at(column, 0);
+  for (std::size_t k = 0; k < top; ++k) to[k] = own * from[k];
+  to[1] += to[1];
+  to[0] = to[2];
+}
+
 struct LaneSums {
   hn::Vec<Lanes> before, after, damping;
 };
@@ -154,6 +166,7 @@ HWY_INLINE void mirror_side(PackGrid& grid, std::size_t image, std::size_t insid
     to[k] = -from[k];
     to[k + grid.stride] = from[k + grid.stride];
   }
+  if (!grid.mass.empty()) std::copy_n(grid.mass_at(inside, 0), top, grid.mass_at(image, 0));
 }
 
 GridSums UpdateColumns(PackGrid& grid, const GridStep& step, std::size_t first, std::size_t last) {
@@ -174,6 +187,7 @@ GridSums UpdateColumns(PackGrid& grid, const GridStep& step, std::size_t first, 
     if (i == image - 2) fold(image);
     if (i == 1 || i == image - 1) hold_side(own, whole_vectors(grid.top[i]));
     fold_base(own);
+    keep_mass(grid, i, own);
     // Row 0 is an image: what it had was folded, and it must not count again.
     for (std::size_t v = 0; v < PackGrid::values; ++v) own.value(v)[0] = 0;
     accelerate_column(grid, i, own, step, sums);

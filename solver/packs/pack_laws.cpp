@@ -4,7 +4,7 @@
 
 namespace leda::solver {
 
-PackLaws pack_laws(const LawTable& table) {
+PackLaws pack_laws(const LawTable& table, bool softer) {
   const auto narrow = [](const std::vector<double>& column) {
     std::vector<Real> result(column.size());
     std::transform(column.begin(), column.end(), result.begin(),
@@ -14,7 +14,7 @@ PackLaws pack_laws(const LawTable& table) {
   return {narrow(table.bulk),     narrow(table.shear),      narrow(table.peak),
           narrow(table.floor),    narrow(table.amplitude),  narrow(table.rate),
           narrow(table.exp_end),  narrow(table.line_start), narrow(table.line_slope),
-          narrow(table.line_end), narrow(table.last)};
+          narrow(table.line_end), narrow(table.last),       softer};
 }
 
 }  // namespace leda::solver

@@ -80,6 +80,21 @@ HWY_INLINE PackVelocity<D> pack_velocity(D d, const Real* nodes, std::size_t str
           weigh(moment, 1), differ(x.s, 0),  weigh(slope, 0), differ(x.s, 1),   weigh(slope, 1)};
 }
 
+/// Mean of a value over what the points see: sum w m, from the first column's lowest node on.
+template <class D>
+HWY_INLINE hn::Vec<D> pack_mean(D d, const Real* nodes, std::size_t stride, const PackAxis<D>& x,
+                                const PackAxis<D>& z) {
+  auto mean = hn::Zero(d);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Real* m = nodes + c * stride;
+    const auto column =
+        hn::MulAdd(z.w[2], hn::LoadU(d, m + 2),
+                   hn::MulAdd(z.w[1], hn::LoadU(d, m + 1), hn::Mul(z.w[0], hn::LoadU(d, m))));
+    mean = hn::MulAdd(x.w[c], column, mean);
+  }
+  return mean;
+}
+
 /// What a pack gives to the nodes.
 template <class D>
 struct PackShare {

@@ -10,6 +10,7 @@
 #include "hwy/highway.h"
 #include "solver/materials/tresca-inl.hpp"
 #include "solver/packs/pack_spline-inl.hpp"
+#include "solver/packs/softer-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace leda::solver::HWY_NAMESPACE {
@@ -94,22 +95,26 @@ HWY_INLINE bool for_strays(D d, const PackGrid& grid, const PackPlace& place, st
 template <class D>
 HWY_NOINLINE bool gather_strays(D d, PackGrid& grid, const PackPlace& place, std::size_t first,
                                 hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
-                                PackVelocity<D>& velocity) {
+                                PackVelocity<D>& velocity, hn::Vec<D>& mass) {
   const OneLane d1;
-  HWY_ALIGN Real lanes[10][Pack::lanes];
-  hn::Vec<D>* all[10] = {&velocity.vx,  &velocity.vz,  &velocity.mxx, &velocity.mxz, &velocity.mzx,
-                         &velocity.mzz, &velocity.lxx, &velocity.lxz, &velocity.lzx, &velocity.lzz};
-  for (std::size_t v = 0; v < 10; ++v) hn::Store(*all[v], d, lanes[v]);
+  HWY_ALIGN Real lanes[11][Pack::lanes];
+  hn::Vec<D>* all[11] = {&velocity.vx,  &velocity.vz,  &velocity.mxx, &velocity.mxz,
+                         &velocity.mzx, &velocity.mzz, &velocity.lxx, &velocity.lxz,
+                         &velocity.lzx, &velocity.lzz, &mass};
+  for (std::size_t v = 0; v < 11; ++v) hn::Store(*all[v], d, lanes[v]);
   const bool inside =
       for_strays(d, grid, place, first, stray, x, z, [&](const Stray& s, std::size_t l) {
-        const auto o =
-            pack_velocity(d1, grid.velocity_at(s.column, s.row), grid.stride,
-                          pack_axis(d1, hn::Set(d1, s.x)), pack_axis(d1, hn::Set(d1, s.z)));
-        const hn::Vec<OneLane> one[10] = {o.vx,  o.vz,  o.mxx, o.mxz, o.mzx,
-                                          o.mzz, o.lxx, o.lxz, o.lzx, o.lzz};
-        for (std::size_t v = 0; v < 10; ++v) lanes[v][l] = hn::GetLane(one[v]);
+        const auto ax = pack_axis(d1, hn::Set(d1, s.x)), az = pack_axis(d1, hn::Set(d1, s.z));
+        const auto o = pack_velocity(d1, grid.velocity_at(s.column, s.row), grid.stride, ax, az);
+        auto m = hn::Zero(d1);
+        if (!grid.mass.empty()) {
+          m = pack_mean(d1, grid.mass_at(s.column, s.row), grid.stride, ax, az);
+        }
+        const hn::Vec<OneLane> one[11] = {o.vx,  o.vz,  o.mxx, o.mxz, o.mzx, o.mzz,
+                                          o.lxx, o.lxz, o.lzx, o.lzz, m};
+        for (std::size_t v = 0; v < 11; ++v) lanes[v][l] = hn::GetLane(one[v]);
       });
-  for (std::size_t v = 0; v < 10; ++v) *all[v] = hn::Load(d, lanes[v]);
+  for (std::size_t v = 0; v < 11; ++v) *all[v] = hn::Load(d, lanes[v]);
   return inside;
 }
 
@@ -154,6 +159,7 @@ HWY_INLINE bool add_to_nodes(D d, PackGrid& grid, const PackPlace& place, std::s
 
 struct StepScales {
   Real dt, dt_per_h;
+  Real area;  ///< of a cell, m2
 };
 
 // The points of a block of packs between the three passes of a step. The chain from strain to
@@ -161,28 +167,33 @@ struct StepScales {
 // overlap the chains of several packs.
 constexpr std::size_t block = 16;
 struct Between {
-  HWY_ALIGN Real value[block][10][Pack::lanes];  // in the order of PackVelocity
+  HWY_ALIGN Real value[block][11][Pack::lanes];  // in the order of PackVelocity; mass seen
 };
 
 template <class D>
-HWY_INLINE void store_velocity(D d, const PackVelocity<D>& v, Real (*to)[Pack::lanes],
-                               std::size_t l) {
+HWY_INLINE void store_velocity(D d, const PackVelocity<D>& v, hn::Vec<D> mass,
+                               Real (*to)[Pack::lanes], std::size_t l) {
   const hn::Vec<D> all[10] = {v.vx, v.vz, v.mxx, v.mxz, v.mzx, v.mzz, v.lxx, v.lxz, v.lzx, v.lzz};
   for (std::size_t i = 0; i < 10; ++i) hn::Store(all[i], d, to[i] + l);
+  hn::Store(mass, d, to[10] + l);
 }
 
 // First pass: velocity and its gradient at the points. False where one has left the grid.
 template <class D>
 HWY_INLINE bool gather(D d, const Pack& p, const PackPlace& place, std::size_t l, PackGrid& grid,
-                       Real (*to)[Pack::lanes]) {
+                       bool softer, Real (*to)[Pack::lanes]) {
   const auto x = hn::Load(d, p.x + l), z = hn::Load(d, p.z + l);
   const auto mass = hn::Load(d, p.mass + l);
-  auto v = pack_velocity(d, grid.velocity_at(place.column, place.row + l), grid.stride,
-                         pack_axis(d, x), pack_axis(d, z));
+  const auto ax = pack_axis(d, x), az = pack_axis(d, z);
+  auto v = pack_velocity(d, grid.velocity_at(place.column, place.row + l), grid.stride, ax, az);
+  auto seen = hn::Zero(d);
+  if (softer) {
+    seen = pack_mean(d, grid.mass_at(place.column, place.row + l), grid.stride, ax, az);
+  }
   const auto stray = strays(d, x, z, mass);
   bool inside = true;
   if (HWY_UNLIKELY(!hn::AllFalse(d, stray))) {
-    inside = gather_strays(d, grid, place, l, stray, x, z, v);
+    inside = gather_strays(d, grid, place, l, stray, x, z, v, seen);
   }
   // A lane without a point stays as it is: what nodes of next to no mass do must not reach it.
   const auto point = hn::Gt(mass, hn::Zero(d));
@@ -192,7 +203,7 @@ HWY_INLINE bool gather(D d, const Pack& p, const PackPlace& place, std::size_t l
       *value = hn::IfThenElseZero(point, *value);
     }
   }
-  store_velocity(d, v, to, l);
+  store_velocity(d, v, seen, to, l);
   return inside;
 }
 
@@ -201,6 +212,16 @@ struct LaneSums {
   hn::Vec<D> work, px, pz, fastest;
   bool yields;
 };
+
+template <class D>
+HWY_INLINE Moduli<hn::Vec<D>> moduli_of(D d, const Pack& p, std::size_t l, const PackLaws& laws,
+                                        const LawRows<D>& row, hn::Vec<D> seen, Real area) {
+  const auto bulk = row(laws.bulk), shear = row(laws.shear);
+  if (!laws.softer) return {bulk, shear};
+  const auto share = softer_share(d, seen, hn::Load(d, p.mass + l), hn::Load(d, p.volume + l),
+                                  hn::Load(d, p.plastic_strain + l), area);
+  return {hn::Mul(share, bulk), hn::Mul(share, shear)};
+}
 
 // Second pass: stress, plastic strain, volume, position.
 template <class D>
@@ -216,8 +237,10 @@ HWY_INLINE void update(D d, Pack& p, std::size_t l, const PackLaws& laws, const 
   const PlaneStress<hn::Vec<D>> old{hn::Load(d, p.sxx + l), hn::Load(d, p.szz + l),
                                     hn::Load(d, p.sxz + l), hn::Load(d, p.syy + l)};
   const auto gamma = hn::Load(d, p.plastic_strain + l);
-  const auto next = next_stress<false>(d, law_rows(d, p.law + l), laws, old, gamma, strain, spin,
-                                       hn::Set(d, scale.dt));
+  const auto row = law_rows(d, p.law + l);
+  const auto moduli = moduli_of(d, p, l, laws, row, hn::Load(d, v[10] + l), scale.area);
+  const auto next =
+      next_stress<false>(d, row, laws, old, gamma, strain, spin, hn::Set(d, scale.dt), moduli);
   sums.yields = sums.yields || next.yields;
   if (next.yields) {  // Kahan's sum: what rounding takes now is added with the next step
     const auto more = hn::Sub(next.plastic_strain, hn::Load(d, p.plastic_rest + l));
@@ -295,14 +318,14 @@ HWY_NOINLINE bool update_block(Pack* packs, std::size_t count, const PackLaws& l
 }
 
 HWY_NOINLINE bool gather_block(const Packs& packs, std::size_t first, std::size_t count,
-                               PackGrid& grid, Between& between) {
+                               PackGrid& grid, bool softer, Between& between) {
   const Lanes d;
   bool inside = true;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
-      inside =
-          gather(d, packs.pack[first + i], packs.place[first + i], l, grid, between.value[i]) &&
-          inside;
+      inside = gather(d, packs.pack[first + i], packs.place[first + i], l, grid, softer,
+                      between.value[i]) &&
+               inside;
     }
   }
   return inside;
@@ -327,13 +350,14 @@ HWY_NOINLINE bool spread_block(Packs& packs, std::size_t first, std::size_t coun
 
 PackSums StepPacks(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep,
                    std::size_t begin, std::size_t end) {
-  const StepScales scale{static_cast<Real>(dt), static_cast<Real>(dt / grid.h)};
+  const StepScales scale{static_cast<Real>(dt), static_cast<Real>(dt / grid.h),
+                         static_cast<Real>(grid.h * grid.h)};
   PackSums total;
   Between between{};
   bool inside = true;
   for (std::size_t first = begin; first < end; first += block) {
     const std::size_t count = std::min(block, end - first);
-    inside = gather_block(packs, first, count, grid, between) && inside;
+    inside = gather_block(packs, first, count, grid, laws.softer, between) && inside;
     const bool yields =
         update_block(&packs.pack[first], count, laws, scale, between, total.particles);
     total.yields = total.yields || yields;

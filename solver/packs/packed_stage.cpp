@@ -77,10 +77,10 @@ bool packs_can_run(const Grid& grid, const LawTable& laws) {
 }
 
 std::optional<PackedStage> begin_packed_stage(const Particles& particles, const Grid& grid,
-                                              const LawTable& laws) {
+                                              const LawTable& laws, bool softer) {
   PackedStage stage;
-  stage.grid = make_pack_grid(grid);
-  stage.laws = pack_laws(laws);
+  stage.grid = make_pack_grid(grid, softer);
+  stage.laws = pack_laws(laws, softer);
   if (!pack(particles, stage.grid, stage.packs)) return {};
   stage.rest.assign(stage.packs.group.size() - 1, GroupRest{});
   spread_all(stage);

@@ -27,9 +27,10 @@ struct PackedStage {
 /// Whether packs can run these laws on this grid: no rate, no flow, nothing averaged.
 bool packs_can_run(const Grid& grid, const LawTable& laws);
 
-/// Packs of the particles, their sums on the grid. Left empty where a particle is off the grid.
+/// Packs of the particles, their sums on the grid; `softer` as in PackLaws. Left empty where a
+/// particle is off the grid.
 std::optional<PackedStage> begin_packed_stage(const Particles& particles, const Grid& grid,
-                                              const LawTable& laws);
+                                              const LawTable& laws, bool softer = false);
 
 /// Adds all points to the sums, in the order in which a step does; of ground at rest those that
 /// moving ground feels.

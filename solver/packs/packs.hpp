@@ -64,8 +64,11 @@ struct Packs {
 struct PackLaws {
   std::vector<Real> bulk, shear, peak;
   std::vector<Real> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
+  /// Whether ground that would limit the time step of all of it gets lower moduli: `thin` and
+  /// `strained` (solver/packs/softer-inl.hpp).
+  bool softer = false;
 };
 
-PackLaws pack_laws(const LawTable& table);
+PackLaws pack_laws(const LawTable& table, bool softer);
 
 }  // namespace leda::solver

@@ -47,7 +47,7 @@ struct RunSettings {
   Resolution resolution;
   Trigger trigger = UndrainedTrigger{};
   Damping damping;
-  double time_step_factor = 0.65;  ///< of h / c_p; 0.7 is stable in all of leda check
+  double time_step_factor = 0.65;  ///< of h / c_p; 1 is stable in all of leda check
   Stop stop;
   Output output;
   bool full = false;  ///< the reference way: double precision, no saving of any kind

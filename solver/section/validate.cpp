@@ -165,8 +165,8 @@ void check_run(const RunSettings& settings, FaultList& faults) {
   fraction("/damping/initial", settings.damping.initial);
   fraction("/damping/dynamic", settings.damping.dynamic);
   const double factor = settings.time_step_factor;
-  faults.within("/time_step_factor", factor, factor > 0 && factor <= 0.7,
-                "greater than 0 and at most 0.7");
+  faults.within("/time_step_factor", factor, factor > 0 && factor <= 1,
+                "greater than 0 and at most 1");
   const double most = settings.stop.max_time_s;
   const bool stop = faults.positive("/stop/max_time_s", most, "s");
   const double interval = settings.output.frame_interval_s;

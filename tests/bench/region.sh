@@ -2,10 +2,11 @@
 # A made-up river bank mapped through the server, from DEM to zones. Prints one line of CSV:
 # sections,simulated,cell_m,wall_s,processor_s,server_peak_MiB (processor_s: server and all runs).
 #   region.sh LEDA FOLDER SECTIONS CELL_M MAX_TIME_S [all]
+# FACTOR, from the environment, is the time_step_factor (0.65).
 # Sections are 300 m long and 10 m apart. Those that screening finds stable are skipped, as in the
 # product; `all` simulates every one. FOLDER is made and keeps data and logs.
 set -euo pipefail
-[[ $# == 5 || $# == 6 && $6 == all ]] || { sed -n '2,6s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+[[ $# == 5 || $# == 6 && $6 == all ]] || { sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 leda=$(realpath "$1") out=$2 sections=$3 cell=$4 max_time=$5
 skip_stable=$([[ ${6:-} == all ]] && echo false || echo true)
 mkdir -p "$out"
@@ -30,13 +31,15 @@ awk -v columns=$((length / 2)) 'BEGIN {
 }' >"$out/river.asc"
 
 jq -n --argjson cell "$cell" --argjson max_time "$max_time" --argjson skip "$skip_stable" \
+  --argjson factor "${FACTOR:-0.65}" \
   --argjson east $((380000 + length - 100)) --slurpfile soil "$(dirname "$0")/../../deploy/demo/region.json" '
   {inputs: {name: "river", dem: "river",
     sections: [{along: [[380100, 5113130], [$east, 5113130]], spacing_m: 10,
                 upslope_m: 210, downslope_m: 90}],
     soil: $soil[0].inputs.soil, trigger: $soil[0].inputs.trigger,
     resolution: {cell_m: $cell, particles_per_cell: 4},
-    screening: {skip_stable: $skip}, stop: {max_time_s: $max_time}}}' >"$out/region.json"
+    screening: {skip_stable: $skip}, time_step_factor: $factor,
+    stop: {max_time_s: $max_time}}}' >"$out/region.json"
 
 "$leda" serve --data "$out/data" --listen 127.0.0.1:0 2>"$out/server.log" >"$out/server.txt" &
 server=$!

@@ -42,7 +42,7 @@ class CheckCommand : public testing::Test {
 };
 
 TEST_F(CheckCommand, TheTableStandsAsTextJsonAndCsv) {
-  ASSERT_EQ(leda("--case 5-cells --case time-step-0.71 --json out.json --csv out.csv"), 0) << said_;
+  ASSERT_EQ(leda("--case 5-cells --case time-step-1.01 --json out.json --csv out.csv"), 0) << said_;
   EXPECT_NE(said_.find("5-cells"), std::string::npos);
   EXPECT_NE(said_.find("2 cases, 0 with a broken promise"), std::string::npos) << said_;
 

@@ -190,7 +190,7 @@ const Case cases[] = {
      },
      {"/damping/initial", "/damping/dynamic"}},
     {"time_step_factor",
-     [](Section&, RunSettings& r) { r.time_step_factor = 0.71; },
+     [](Section&, RunSettings& r) { r.time_step_factor = 1.01; },
      {"/time_step_factor"}},
     {"stop", [](Section&, RunSettings& r) { r.stop.max_time_s = 0; }, {"/stop/max_time_s"}},
     {"frames_negative",

@@ -225,7 +225,7 @@ const BadCase corpus[] = {
     {"settings",
      Schema::sees_it,
      R"([{"op": "add", "path": "/damping", "value": {"initial": 1, "dynamic": -1}},
-         {"op": "add", "path": "/time_step_factor", "value": 0.9},
+         {"op": "add", "path": "/time_step_factor", "value": 1.1},
          {"op": "replace", "path": "/stop/max_time_s", "value": 0},
          {"op": "add", "path": "/output", "value": {"frame_interval_s": -1, "paraview": 1}}])",
      {"/damping/initial", "/damping/dynamic", "/time_step_factor", "/stop/max_time_s",
