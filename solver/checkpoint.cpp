@@ -108,7 +108,10 @@ class Reader {
     const std::uint64_t count = size();
     if (!take(count * sizeof(T))) return;
     values.resize(count);
-    std::memcpy(values.data(), bytes_.data() + at_ - count * sizeof(T), count * sizeof(T));
+    // memcpy may not be given the null pointer of an empty vector.
+    if (count > 0) {
+      std::memcpy(values.data(), bytes_.data() + at_ - count * sizeof(T), count * sizeof(T));
+    }
   }
   const std::string& bytes_;
   std::size_t at_ = 0;
