@@ -211,9 +211,8 @@ bool load_state(const std::string& bytes, RunState& run) {
   bool packed = false;
   reader(packed);
   if (packed) {
-    read.packed = PackedStage{};
-    read.packed->grid = make_pack_grid(run.seeded.grid, takes_long_steps(*run.settings));
-    read.packed->laws = pack_laws(run.seeded.laws, takes_long_steps(*run.settings));
+    read.packed =
+        empty_packed_stage(run.seeded.grid, run.seeded.laws, takes_long_steps(*run.settings));
     transfer_packs(reader, *read.packed);
   }
   const Particles& p = read.seeded.particles;

@@ -80,19 +80,21 @@ HWY_INLINE PackVelocity<D> pack_velocity(D d, const Real* nodes, std::size_t str
           weigh(moment, 1), differ(x.s, 0),  weigh(slope, 0), differ(x.s, 1),   weigh(slope, 1)};
 }
 
-/// Mean of a value over what the points see: sum w m, from the first column's lowest node on.
+/// Mass that points see, sum w m over the nodes from this column and row on; zero where the grid
+/// keeps none.
 template <class D>
-HWY_INLINE hn::Vec<D> pack_mean(D d, const Real* nodes, std::size_t stride, const PackAxis<D>& x,
-                                const PackAxis<D>& z) {
-  auto mean = hn::Zero(d);
+HWY_INLINE hn::Vec<D> seen_mass(D d, PackGrid& grid, std::size_t column, std::size_t row,
+                                const PackAxis<D>& x, const PackAxis<D>& z) {
+  auto seen = hn::Zero(d);
+  if (grid.mass.empty()) return seen;
   for (std::size_t c = 0; c < 3; ++c) {
-    const Real* m = nodes + c * stride;
-    const auto column =
+    const Real* m = grid.mass_at(column + c, row);
+    const auto along =
         hn::MulAdd(z.w[2], hn::LoadU(d, m + 2),
                    hn::MulAdd(z.w[1], hn::LoadU(d, m + 1), hn::Mul(z.w[0], hn::LoadU(d, m))));
-    mean = hn::MulAdd(x.w[c], column, mean);
+    seen = hn::MulAdd(x.w[c], along, seen);
   }
-  return mean;
+  return seen;
 }
 
 /// What a pack gives to the nodes.

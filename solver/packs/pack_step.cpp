@@ -1,7 +1,6 @@
 #include "solver/packs/pack_step.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "solver/packs/pack_step.cpp"
@@ -11,13 +10,13 @@
 #include "solver/materials/tresca-inl.hpp"
 #include "solver/packs/pack_spline-inl.hpp"
 #include "solver/packs/softer-inl.hpp"
+#include "solver/packs/strays-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Lanes = hn::CappedTag<Real, Pack::lanes>;
-using OneLane = hn::CappedTag<Real, 1>;
 
 // Velocity and affine velocity (per cell) of a vector of points.
 template <class D>
@@ -39,101 +38,6 @@ HWY_INLINE PackShare<D> share(D d, const Pack& p, std::size_t l, const Carried<D
           hn::Mul(volume, hn::Load(d, p.sxx + l)),
           hn::Mul(volume, hn::Load(d, p.szz + l)),
           hn::Mul(volume, hn::Load(d, p.sxz + l))};
-}
-
-// Points of the pack that have left their home cell since the packs were arranged.
-template <class D>
-HWY_INLINE hn::Mask<D> strays(D d, hn::Vec<D> x, hn::Vec<D> z, hn::Vec<D> mass) {
-  const auto zero = hn::Zero(d), one = hn::Set(d, Real{1});
-  const auto inside =
-      hn::And(hn::And(hn::Ge(x, zero), hn::Lt(x, one)), hn::And(hn::Ge(z, zero), hn::Lt(z, one)));
-  return hn::AndNot(inside, hn::Gt(mass, zero));
-}
-
-// A stray's present cell and its place in it.
-struct Stray {
-  std::size_t column, row;
-  Real x, z;
-};
-
-// False where the grid has no nodes for it.
-HWY_INLINE bool find_stray(const PackGrid& grid, const PackPlace& place, std::size_t lane, Real x,
-                           Real z, Stray& s) {
-  const Real dx = std::floor(x), dz = std::floor(z);
-  const Real column = static_cast<Real>(place.column) + dx;
-  const Real row = static_cast<Real>(place.row + lane) + dz;
-  if (!(column >= 0 && column + 3 <= static_cast<Real>(grid.columns) && row >= 0 &&
-        row + 3 <= static_cast<Real>(grid.rows))) {
-    return false;
-  }
-  s = {static_cast<std::size_t>(column), static_cast<std::size_t>(row), x - dx, z - dz};
-  return true;
-}
-
-// Calls one(stray, lane) for each stray of the vector; false where one of them has left the grid.
-template <class D, class One>
-HWY_INLINE bool for_strays(D d, const PackGrid& grid, const PackPlace& place, std::size_t first,
-                           hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z, const One& one) {
-  HWY_ALIGN Real at_x[Pack::lanes], at_z[Pack::lanes], is_stray[Pack::lanes];
-  hn::Store(x, d, at_x);
-  hn::Store(z, d, at_z);
-  hn::Store(hn::IfThenElseZero(stray, hn::Set(d, Real{1})), d, is_stray);
-  bool all = true;
-  for (std::size_t l = 0; l < hn::Lanes(d); ++l) {
-    if (is_stray[l] == 0) continue;
-    Stray s{};
-    if (find_stray(grid, place, first + l, at_x[l], at_z[l], s)) {
-      one(s, l);
-    } else {
-      all = false;
-    }
-  }
-  return all;
-}
-
-// The motion of strays, put into their lanes.
-template <class D>
-HWY_NOINLINE bool gather_strays(D d, PackGrid& grid, const PackPlace& place, std::size_t first,
-                                hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
-                                PackVelocity<D>& velocity, hn::Vec<D>& mass) {
-  const OneLane d1;
-  HWY_ALIGN Real lanes[11][Pack::lanes];
-  hn::Vec<D>* all[11] = {&velocity.vx,  &velocity.vz,  &velocity.mxx, &velocity.mxz,
-                         &velocity.mzx, &velocity.mzz, &velocity.lxx, &velocity.lxz,
-                         &velocity.lzx, &velocity.lzz, &mass};
-  for (std::size_t v = 0; v < 11; ++v) hn::Store(*all[v], d, lanes[v]);
-  const bool inside =
-      for_strays(d, grid, place, first, stray, x, z, [&](const Stray& s, std::size_t l) {
-        const auto ax = pack_axis(d1, hn::Set(d1, s.x)), az = pack_axis(d1, hn::Set(d1, s.z));
-        const auto o = pack_velocity(d1, grid.velocity_at(s.column, s.row), grid.stride, ax, az);
-        auto m = hn::Zero(d1);
-        if (!grid.mass.empty()) {
-          m = pack_mean(d1, grid.mass_at(s.column, s.row), grid.stride, ax, az);
-        }
-        const hn::Vec<OneLane> one[11] = {o.vx,  o.vz,  o.mxx, o.mxz, o.mzx, o.mzz,
-                                          o.lxx, o.lxz, o.lzx, o.lzz, m};
-        for (std::size_t v = 0; v < 11; ++v) lanes[v][l] = hn::GetLane(one[v]);
-      });
-  for (std::size_t v = 0; v < 11; ++v) *all[v] = hn::Load(d, lanes[v]);
-  return inside;
-}
-
-template <class D>
-HWY_NOINLINE bool spread_strays(D d, PackGrid& grid, const PackPlace& place, std::size_t first,
-                                hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
-                                const PackShare<D>& share) {
-  const OneLane d1;
-  HWY_ALIGN Real lanes[10][Pack::lanes];
-  const hn::Vec<D> all[10] = {share.mass, share.px,  share.pz,  share.pxx, share.pxz,
-                              share.pzx,  share.pzz, share.fxx, share.fzz, share.fxz};
-  for (std::size_t v = 0; v < 10; ++v) hn::Store(all[v], d, lanes[v]);
-  return for_strays(d, grid, place, first, stray, x, z, [&](const Stray& s, std::size_t l) {
-    const auto value = [&](std::size_t v) { return hn::Set(d1, lanes[v][l]); };
-    spread_pack(d1, grid.sums_at(s.column, s.row), grid.stride, pack_axis(d1, hn::Set(d1, s.x)),
-                pack_axis(d1, hn::Set(d1, s.z)),
-                PackShare<OneLane>{value(0), value(1), value(2), value(3), value(4), value(5),
-                                   value(6), value(7), value(8), value(9)});
-  });
 }
 
 // Third pass: adds a vector of points to the nodes; false where one has left the grid.
@@ -181,15 +85,12 @@ HWY_INLINE void store_velocity(D d, const PackVelocity<D>& v, hn::Vec<D> mass,
 // First pass: velocity and its gradient at the points. False where one has left the grid.
 template <class D>
 HWY_INLINE bool gather(D d, const Pack& p, const PackPlace& place, std::size_t l, PackGrid& grid,
-                       bool softer, Real (*to)[Pack::lanes]) {
+                       Real (*to)[Pack::lanes]) {
   const auto x = hn::Load(d, p.x + l), z = hn::Load(d, p.z + l);
   const auto mass = hn::Load(d, p.mass + l);
   const auto ax = pack_axis(d, x), az = pack_axis(d, z);
   auto v = pack_velocity(d, grid.velocity_at(place.column, place.row + l), grid.stride, ax, az);
-  auto seen = hn::Zero(d);
-  if (softer) {
-    seen = pack_mean(d, grid.mass_at(place.column, place.row + l), grid.stride, ax, az);
-  }
+  auto seen = seen_mass(d, grid, place.column, place.row + l, ax, az);
   const auto stray = strays(d, x, z, mass);
   bool inside = true;
   if (HWY_UNLIKELY(!hn::AllFalse(d, stray))) {
@@ -318,14 +219,14 @@ HWY_NOINLINE bool update_block(Pack* packs, std::size_t count, const PackLaws& l
 }
 
 HWY_NOINLINE bool gather_block(const Packs& packs, std::size_t first, std::size_t count,
-                               PackGrid& grid, bool softer, Between& between) {
+                               PackGrid& grid, Between& between) {
   const Lanes d;
   bool inside = true;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
-      inside = gather(d, packs.pack[first + i], packs.place[first + i], l, grid, softer,
-                      between.value[i]) &&
-               inside;
+      inside =
+          gather(d, packs.pack[first + i], packs.place[first + i], l, grid, between.value[i]) &&
+          inside;
     }
   }
   return inside;
@@ -357,7 +258,7 @@ PackSums StepPacks(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt
   bool inside = true;
   for (std::size_t first = begin; first < end; first += block) {
     const std::size_t count = std::min(block, end - first);
-    inside = gather_block(packs, first, count, grid, laws.softer, between) && inside;
+    inside = gather_block(packs, first, count, grid, between) && inside;
     const bool yields =
         update_block(&packs.pack[first], count, laws, scale, between, total.particles);
     total.yields = total.yields || yields;

@@ -76,11 +76,16 @@ bool packs_can_run(const Grid& grid, const LawTable& laws) {
   return !grid.averages() && laws.viscous.empty();
 }
 
-std::optional<PackedStage> begin_packed_stage(const Particles& particles, const Grid& grid,
-                                              const LawTable& laws, bool softer) {
+PackedStage empty_packed_stage(const Grid& grid, const LawTable& laws, bool softer) {
   PackedStage stage;
   stage.grid = make_pack_grid(grid, softer);
   stage.laws = pack_laws(laws, softer);
+  return stage;
+}
+
+std::optional<PackedStage> begin_packed_stage(const Particles& particles, const Grid& grid,
+                                              const LawTable& laws, bool softer) {
+  PackedStage stage = empty_packed_stage(grid, laws, softer);
   if (!pack(particles, stage.grid, stage.packs)) return {};
   stage.rest.assign(stage.packs.group.size() - 1, GroupRest{});
   spread_all(stage);

@@ -27,6 +27,9 @@ struct PackedStage {
 /// Whether packs can run these laws on this grid: no rate, no flow, nothing averaged.
 bool packs_can_run(const Grid& grid, const LawTable& laws);
 
+/// A stage without points; `softer` as in PackLaws.
+PackedStage empty_packed_stage(const Grid& grid, const LawTable& laws, bool softer);
+
 /// Packs of the particles, their sums on the grid; `softer` as in PackLaws. Left empty where a
 /// particle is off the grid.
 std::optional<PackedStage> begin_packed_stage(const Particles& particles, const Grid& grid,
