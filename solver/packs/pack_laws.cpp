@@ -6,15 +6,24 @@ namespace leda::solver {
 
 PackLaws pack_laws(const LawTable& table, bool softer) {
   const auto narrow = [](const std::vector<double>& column) {
-    std::vector<Real> result(column.size());
+    std::vector<Real> result(std::max(column.size(), Pack::lanes));
     std::transform(column.begin(), column.end(), result.begin(),
                    [](double value) { return static_cast<Real>(value); });
     return result;
   };
-  return {narrow(table.bulk),     narrow(table.shear),      narrow(table.peak),
-          narrow(table.floor),    narrow(table.amplitude),  narrow(table.rate),
-          narrow(table.exp_end),  narrow(table.line_start), narrow(table.line_slope),
-          narrow(table.line_end), narrow(table.last),       softer};
+  return {table.rows(),
+          narrow(table.bulk),
+          narrow(table.shear),
+          narrow(table.peak),
+          narrow(table.floor),
+          narrow(table.amplitude),
+          narrow(table.rate),
+          narrow(table.exp_end),
+          narrow(table.line_start),
+          narrow(table.line_slope),
+          narrow(table.line_end),
+          narrow(table.last),
+          softer};
 }
 
 }  // namespace leda::solver

@@ -60,8 +60,10 @@ struct Packs {
   std::vector<std::size_t> group_points;  ///< points of each group
 };
 
-/// The law table in single precision, without rate and flow.
+/// The law table in single precision, without rate and flow. Columns are filled up with zeros to
+/// `Pack::lanes`, so that they can be read as a vector.
 struct PackLaws {
+  std::size_t rows = 0;  ///< without the filling
   std::vector<Real> bulk, shear, peak;
   std::vector<Real> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
   /// Whether ground that would limit the time step of all of it gets lower moduli: `thin` and
