@@ -10,7 +10,7 @@ namespace leda::solver {
 
 namespace {
 
-constexpr std::uint64_t format = 0x4c454441'00000004;  // "LEDA", 4
+constexpr std::uint64_t format = 0x4c454441'00000005;  // "LEDA", 5
 
 // The bytes that Writer will write, so that they are asked for once.
 class Counter {
@@ -153,6 +153,10 @@ void transfer_packs(Archive& archive, Stage& stage) {
   archive(stage.packs.pack);
   archive(stage.packs.place);
   archive(stage.packs.motion);
+  archive(stage.packs.taken);
+  archive(stage.packs.strayed);
+  archive(stage.packs.group);
+  archive(stage.packs.column);
   archive(stage.grid.top);
   archive(stage.grid.mass);  // of ground at rest it is not found anew
   archive(stage.strayed);
@@ -162,13 +166,33 @@ void transfer_packs(Archive& archive, Stage& stage) {
   archive(stage.wakes);
 }
 
+// Whether groups and columns lie within the packs.
+bool groups_fit(const PackedStage& stage) {
+  const Packs& packs = stage.packs;
+  if (packs.group.size() != groups_of(stage.grid) || packs.column.size() != stage.grid.columns) {
+    return false;
+  }
+  std::size_t first = 0;
+  for (const PackGroup& group : packs.group) {
+    const bool fits = group.first == first && group.room <= packs.pack.size() - first &&
+                      group.in_use <= group.room && group.in_order <= group.in_use;
+    if (!fits) return false;
+    first += group.room;
+  }
+  return first == packs.pack.size() &&
+         std::ranges::all_of(packs.column, [&](const PackColumn& column) {
+           return column.first <= packs.pack.size() && column.rows <= stage.grid.rows;
+         });
+}
+
 // Whether saved packs are packs of these particles on this grid.
 bool packs_fit(const PackedStage& stage, const Particles& particles) {
   const Packs& packs = stage.packs;
   if (packs.count != particles.count || packs.place.size() != packs.pack.size() ||
-      packs.motion.size() != packs.pack.size() || stage.grid.top.size() != stage.grid.columns ||
+      packs.motion.size() != packs.pack.size() || packs.taken.size() != packs.pack.size() ||
+      packs.strayed.size() != packs.pack.size() || stage.grid.top.size() != stage.grid.columns ||
       stage.grid.mass.size() != (stage.laws.softer ? stage.grid.columns * stage.grid.stride : 0) ||
-      stage.rest.size() != groups_of(stage.grid)) {
+      stage.rest.size() != groups_of(stage.grid) || !groups_fit(stage)) {
     return false;
   }
   for (std::size_t i = 0; i < packs.pack.size(); ++i) {
@@ -224,10 +248,7 @@ bool load_state(const std::string& bytes, RunState& run) {
   }
   fits = fits && p.law.size() == p.x.size() && p.id.size() == p.x.size();
   if (!fits || (packed && !packs_fit(*read.packed, p))) return false;
-  if (packed) {
-    find_groups(read.packed->packs, read.packed->grid);
-    spread_all(*read.packed);
-  }
+  if (packed) spread_all(*read.packed);
   run = std::move(read);
   run.resumed = true;
   return true;

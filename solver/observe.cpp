@@ -8,11 +8,6 @@ namespace leda::solver {
 
 namespace {
 
-std::size_t column_of(const Surface& s, double x) {
-  const double at = std::floor((x - s.first_x) / s.cell);
-  return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(s.z.size() - 1)));
-}
-
 // The column farthest behind the crest whose top dropped, as the x of its far edge.
 double backscarp_x(const Surface& before, const Surface& now, double crest_x, bool bank_left) {
   const std::size_t crest = column_of(before, crest_x);
@@ -74,11 +69,25 @@ double connected_front(const std::vector<bool>& debris, const Surface& s, double
 
 }  // namespace
 
-Surface surface(const Seeded& seeded) {
+std::size_t column_of(const Surface& s, double x) {
+  const double at = std::floor((x - s.first_x) / s.cell);
+  return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(s.z.size() - 1)));
+}
+
+Surface empty_surface(const Seeded& seeded) {
   Surface s;
   s.first_x = seeded.origin_x;
   s.cell = seeded.grid.h;
   s.z.assign(seeded.grid.columns - 3, seeded.origin_z);
+  return s;
+}
+
+double retrogression(const Surface& before, const Surface& now, const CrestAndToe& bank) {
+  return std::abs(backscarp_x(before, now, bank.crest.x, bank.crest.x < bank.toe.x) - bank.crest.x);
+}
+
+Surface surface(const Seeded& seeded) {
+  Surface s = empty_surface(seeded);
   const Particles& p = seeded.particles;
   for (std::size_t i = 0; i < p.count; ++i) {
     double& top = s.z[column_of(s, p.x[i] + seeded.origin_x)];

@@ -26,6 +26,12 @@ struct Surface {
 
 Surface surface(const Seeded& seeded);
 
+/// A surface at the base everywhere.
+Surface empty_surface(const Seeded& seeded);
+
+/// Column of a surface at x, the nearest where there is none.
+std::size_t column_of(const Surface& s, double x);
+
 /// Thresholds of the definitions in solver/README.md, "Retrogression and runout".
 inline constexpr double surface_threshold_m = 0.5;
 inline constexpr std::size_t most_gap_columns = 2;
@@ -41,6 +47,9 @@ struct Movement {
 /// Retrogression and runout of the present state against the surface at the start.
 Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe& bank,
                  const Surface& before);
+
+/// How far the backscarp lies behind the crest, m; zero where nothing has dropped.
+double retrogression(const Surface& before, const Surface& now, const CrestAndToe& bank);
 
 /// Counts slides while the run goes on. Lengths are measured in the height H of the bank, times in
 /// sqrt(H / g). A scarp that crumbles retreats no faster than its debris leaves, and that is slower

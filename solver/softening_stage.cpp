@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "solver/checkpoint.hpp"
+#include "solver/packs/packed_surface.hpp"
 #include "solver/time_step.hpp"
 
 namespace leda::solver {
@@ -56,8 +57,9 @@ void show_frame(RunState& run) {
 namespace {
 
 void look(RunState& run) {
-  const Movement m = measure(run.seeded, *run.section, run.bank, run.ground);
-  run.slides.observe(run.time, m.retrogression_m);
+  const Surface now = run.packed ? packed_surface(run.packed->packs, run.packed->grid, run.seeded)
+                                 : surface(run.seeded);
+  run.slides.observe(run.time, retrogression(run.ground, now, run.bank));
   if (!run.listener->progress) return;
   const double share = run.time / run.settings->stop.max_time_s;
   const bool cut = run.clock.stage == StageClock::Stage::toe_cut;
@@ -111,10 +113,6 @@ void unpack_state(RunState& run) {
   if (run.packed) unpack(run.packed->packs, run.packed->grid, run.seeded.particles);
 }
 
-void unpack_positions(RunState& run) {
-  if (run.packed) unpack_positions(run.packed->packs, run.packed->grid, run.seeded.particles);
-}
-
 // A look at the surface, and every fifth time at all of the state.
 std::optional<StageEnd> look_at(RunState& run, Checkpoints& checkpoints) {
   run.clock.next_look += run.slides.look_interval_s();
@@ -122,11 +120,7 @@ std::optional<StageEnd> look_at(RunState& run, Checkpoints& checkpoints) {
   const bool checks = ++run.clock.looks % looks_between_checks == 0 || rests;
   const bool interrupted = run.listener->interrupted && run.listener->interrupted();
   const bool saves = interrupted || checkpoints.is_due(run);
-  if (checks || saves) {
-    unpack_state(run);
-  } else {
-    unpack_positions(run);
-  }
+  if (checks || saves) unpack_state(run);
   look(run);
   if (checks) {
     if (auto end = check_plastic_work(run)) return end;

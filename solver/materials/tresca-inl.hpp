@@ -122,9 +122,9 @@ HWY_INLINE StressStep<D> next_stress(D d, const LawRows<D>& row, const Laws& law
   const auto g2 = hn::Add(g, g), half = constant(d, 0.5);
   const auto lame = hn::NegMulAdd(constant(d, 2.0 / 3.0), g, bulk);
   const auto pressure = hn::Mul(lame, hn::Add(e.xx, e.zz));
-  const auto turn = hn::Mul(hn::Add(spin, spin), old.xz);
-  auto xx = hn::Add(hn::MulAdd(g2, e.xx, pressure), hn::Add(old.xx, turn));
-  auto zz = hn::Add(hn::MulAdd(g2, e.zz, pressure), hn::Sub(old.zz, turn));
+  const auto turn = hn::Add(spin, spin);
+  auto xx = hn::Add(hn::MulAdd(g2, e.xx, pressure), hn::MulAdd(turn, old.xz, old.xx));
+  auto zz = hn::Add(hn::MulAdd(g2, e.zz, pressure), hn::NegMulAdd(turn, old.xz, old.zz));
   auto xz = hn::MulAdd(g2, e.xz, hn::MulAdd(spin, hn::Sub(old.zz, old.xx), old.xz));
   auto yy = hn::Add(old.yy, pressure);
 

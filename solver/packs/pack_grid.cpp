@@ -8,7 +8,7 @@ PackGrid make_pack_grid(const Grid& grid, bool keeps_mass) {
   g.columns = grid.columns;
   g.rows = grid.rows;
   // A pack that begins in the last row reads and adds up to eight rows and two nodes beyond.
-  g.stride = (PackGrid::lead + grid.rows + Pack::lanes + 2 + 7) / 8 * 8;
+  g.stride = (PackGrid::lead + grid.rows + Pack::rows + 2 + 7) / 8 * 8;
   g.sums.assign(g.columns * PackGrid::values * PackGrid::planes * g.stride, Real{0});
   g.velocity.assign(g.columns * 2 * g.stride, Real{0});
   if (keeps_mass) g.mass.assign(g.columns * g.stride, Real{0});

@@ -13,8 +13,8 @@ HWY_BEFORE_NAMESPACE();
 namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Lanes = hn::CappedTag<Real, Pack::lanes>;
-constexpr std::size_t lanes = Pack::lanes;
+constexpr std::size_t lanes = 8;
+using Lanes = hn::CappedTag<Real, lanes>;
 constexpr Real least_mass = 1e-14F * 1000;  // as in grid_update.cpp: below it there is round-off
 
 // Nodes of one column: a value at row k stands at value(v)[k].
@@ -32,12 +32,16 @@ HWY_INLINE void combine(PackGrid& grid, std::size_t column, const Nodes& to, Rea
   const std::size_t top = whole_vectors(grid.top[column]);
   Real* sums = grid.sums_at(column, 0);
   const std::size_t stride = grid.stride;
+  const auto take = [&](Real* from) {
+    const auto value = hn::LoadU(d, from);
+    hn::StoreU(hn::Zero(d), d, from);
+    return value;
+  };
   for (std::size_t v = 0; v < PackGrid::values; ++v) {
-    const Real *a = sums + 3 * v * stride, *b = a + stride, *c = b + stride;
+    Real *a = sums + 3 * v * stride, *b = a + stride, *c = b + stride;
     Real* node = to.value(v);
     for (std::size_t k = 0; k < top; k += hn::Lanes(d)) {
-      const auto sum =
-          hn::Add(hn::LoadU(d, a + k), hn::Add(hn::LoadU(d, b + k - 1), hn::LoadU(d, c + k - 2)));
+      const auto sum = hn::Add(take(a + k), hn::Add(take(b + k - 1), take(c + k - 2)));
       hn::StoreU(sum, d, node + k);
     }
   }
@@ -47,9 +51,6 @@ HWY_INLINE void combine(PackGrid& grid, std::size_t column, const Nodes& to, Rea
     const auto f =
         hn::NegMulAdd(hn::Set(d, gravity), hn::LoadU(d, mass + k), hn::LoadU(d, force + k));
     hn::StoreU(f, d, force + k);
-  }
-  for (std::size_t plane = 0; plane < PackGrid::values * PackGrid::planes; ++plane) {
-    std::fill_n(sums + plane * stride, top, Real{0});
   }
 }
 

@@ -41,6 +41,42 @@ HWY_INLINE PackAxis<D> pack_axis(D d, hn::Vec<D> u) {
   return a;
 }
 
+#if HWY_TARGET == HWY_SCALAR
+template <class D>
+HWY_INLINE hn::Vec<D> load_rows(D d, const Real* from) {
+  return hn::LoadU(d, from);
+}
+
+template <class D>
+HWY_INLINE void add_to_rows(D d, hn::Vec<D> value, Real* to) {
+  hn::StoreU(hn::Add(hn::LoadU(d, to), value), d, to);
+}
+#else
+/// Reads a value of the rows that the lanes live in.
+template <class D>
+HWY_INLINE hn::Vec<D> load_rows(D d, const Real* from) {
+  if constexpr (hn::MaxLanes(D()) > Pack::rows) {
+    const auto rows = hn::LoadU(hn::Half<D>(), from);
+    return hn::Combine(d, rows, rows);
+  } else {
+    return hn::LoadU(d, from);
+  }
+}
+
+/// Adds to a value of the rows that the lanes live in, first points of a row before second ones
+/// whatever the width of the vectors.
+template <class D>
+HWY_INLINE void add_to_rows(D d, hn::Vec<D> value, Real* to) {
+  if constexpr (hn::MaxLanes(D()) > Pack::rows) {
+    const hn::Half<D> half;
+    const auto first = hn::Add(hn::LoadU(half, to), hn::LowerHalf(half, value));
+    hn::StoreU(hn::Add(first, hn::UpperHalf(half, value)), half, to);
+  } else {
+    hn::StoreU(hn::Add(hn::LoadU(d, to), value), d, to);
+  }
+}
+#endif
+
 /// Velocity (m/s), its moments sum w v d (m/s, d in cells) and its slopes (m/s per cell).
 template <class D>
 struct PackVelocity {
@@ -59,9 +95,9 @@ HWY_INLINE PackVelocity<D> pack_velocity(D d, const Real* nodes, std::size_t str
   for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const Real* v = nodes + (2 * c + axis) * stride;
-      const auto middle = hn::LoadU(d, v + 1);
-      const auto below = hn::Sub(middle, hn::LoadU(d, v));
-      const auto above = hn::Sub(hn::LoadU(d, v + 2), middle);
+      const auto middle = load_rows(d, v + 1);
+      const auto below = hn::Sub(middle, load_rows(d, v));
+      const auto above = hn::Sub(load_rows(d, v + 2), middle);
       value[c][axis] = hn::MulAdd(z.w[2], above, hn::NegMulAdd(z.w[0], below, middle));
       slope[c][axis] = hn::NegMulAdd(z.s[0], below, hn::Mul(z.s[2], above));
       moment[c][axis] = hn::NegMulAdd(z.wd[0], below, hn::Mul(z.wd[2], above));
@@ -90,8 +126,8 @@ HWY_INLINE hn::Vec<D> seen_mass(D d, PackGrid& grid, std::size_t column, std::si
   for (std::size_t c = 0; c < 3; ++c) {
     const Real* m = grid.mass_at(column + c, row);
     const auto along =
-        hn::MulAdd(z.w[2], hn::LoadU(d, m + 2),
-                   hn::MulAdd(z.w[1], hn::LoadU(d, m + 1), hn::Mul(z.w[0], hn::LoadU(d, m))));
+        hn::MulAdd(z.w[2], load_rows(d, m + 2),
+                   hn::MulAdd(z.w[1], load_rows(d, m + 1), hn::Mul(z.w[0], load_rows(d, m))));
     seen = hn::MulAdd(x.w[c], along, seen);
   }
   return seen;
@@ -122,9 +158,9 @@ HWY_INLINE void spread_pack(D d, Real* sums, std::size_t stride, const PackAxis<
       Real* to = sums + j * stride;
       const auto add = [&](hn::Vec<D> w1, hn::Vec<D> a, hn::Vec<D> w2, hn::Vec<D> b) {
         to += 3 * stride;
-        hn::StoreU(hn::MulAdd(w2, b, hn::MulAdd(w1, a, hn::LoadU(d, to))), d, to);
+        add_to_rows(d, hn::MulAdd(w2, b, hn::Mul(w1, a)), to);
       };
-      hn::StoreU(hn::MulAdd(wz, mass, hn::LoadU(d, to)), d, to);
+      add_to_rows(d, hn::Mul(wz, mass), to);
       add(wz, px, wdz, pxz);
       add(wz, pz, wdz, pzz);
       add(wz, fxx, sz, fxz);

@@ -1,6 +1,7 @@
 #include "solver/packs/pack_step.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "solver/packs/pack_step.cpp"
@@ -40,24 +41,61 @@ HWY_INLINE PackShare<D> share(D d, const Pack& p, std::size_t l, const Carried<D
           hn::Mul(volume, hn::Load(d, p.sxz + l))};
 }
 
-// Third pass: adds a vector of points to the nodes; false where one has left the grid.
 template <class D>
-HWY_INLINE bool add_to_nodes(D d, PackGrid& grid, const PackPlace& place, std::size_t l,
-                             const Pack& p, const Carried<D>& m, Real per_h, std::size_t& strayed) {
+HWY_INLINE unsigned lane_bits(D d, hn::Mask<D> mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  return bytes[0] | static_cast<unsigned>(bytes[1]) << 8U;
+}
+
+// Adds a vector of points to the nodes, but for the strays among them; returns those.
+template <class D>
+HWY_INLINE hn::Mask<D> add_to_nodes(D d, PackGrid& grid, const PackPlace& place, std::size_t l,
+                                    const Pack& p, const Carried<D>& m, Real per_h) {
   const auto x = hn::Load(d, p.x + l), z = hn::Load(d, p.z + l);
   auto given = share(d, p, l, m, per_h);
   const auto stray = strays(d, x, z, given.mass);
-  bool inside = true;
   if (HWY_UNLIKELY(!hn::AllFalse(d, stray))) {
-    strayed += hn::CountTrue(d, stray);
-    inside = spread_strays(d, grid, place, l, stray, x, z, given);
     for (auto* value : {&given.mass, &given.px, &given.pz, &given.pxx, &given.pxz, &given.pzx,
                         &given.pzz, &given.fxx, &given.fzz, &given.fxz}) {
       *value = hn::IfThenZeroElse(stray, *value);
     }
   }
-  spread_pack(d, grid.sums_at(place.column, place.row + l), grid.stride, pack_axis(d, x),
-              pack_axis(d, z), given);
+  spread_pack(d, grid.sums_at(place.column, place.row + l % Pack::rows), grid.stride,
+              pack_axis(d, x), pack_axis(d, z), given);
+  return stray;
+}
+
+// Whether a vector of lanes from lane l on has one of these.
+HWY_INLINE bool any_of(LaneBits lanes, std::size_t l) {
+  constexpr unsigned all = (1U << hn::MaxLanes(Lanes())) - 1;
+  return (lanes >> l & all) != 0;
+}
+
+// Third pass: adds pack i to the nodes, motion_of(l) being that of its lanes; strays after all that
+// are at home, so that the order does not depend on the width of the vectors. False where a point
+// has left the grid.
+template <class MotionOf>
+HWY_INLINE bool add_pack(Packs& packs, std::size_t i, PackGrid& grid, Real per_h,
+                         const MotionOf& motion_of) {
+  const Lanes d;
+  const Pack& p = packs.pack[i];
+  const PackPlace& place = packs.place[i];
+  unsigned strayed = 0;
+  for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
+    if (!any_of(packs.taken[i], l)) continue;
+    const auto stray = add_to_nodes(d, grid, place, l, p, motion_of(l), per_h);
+    strayed |= lane_bits(d, stray) << l;
+  }
+  packs.strayed[i] = static_cast<LaneBits>(strayed);
+  bool inside = true;
+  for (std::size_t l = 0; strayed != 0 && l < Pack::lanes; l += hn::Lanes(d)) {
+    if (!any_of(packs.strayed[i], l)) continue;
+    const auto x = hn::Load(d, p.x + l), z = hn::Load(d, p.z + l);
+    const auto given = share(d, p, l, motion_of(l), per_h);
+    const auto stray = strays(d, x, z, given.mass);
+    inside = spread_strays(d, grid, place, l, stray, x, z, given) && inside;
+  }
   return inside;
 }
 
@@ -89,7 +127,8 @@ HWY_INLINE bool gather(D d, const Pack& p, const PackPlace& place, std::size_t l
   const auto x = hn::Load(d, p.x + l), z = hn::Load(d, p.z + l);
   const auto mass = hn::Load(d, p.mass + l);
   const auto ax = pack_axis(d, x), az = pack_axis(d, z);
-  auto v = pack_velocity(d, grid.velocity_at(place.column, place.row + l), grid.stride, ax, az);
+  auto v = pack_velocity(d, grid.velocity_at(place.column, place.row + l % Pack::rows), grid.stride,
+                         ax, az);
   auto seen = seen_mass(d, grid, place.column, place.row + l, ax, az);
   const auto stray = strays(d, x, z, mass);
   bool inside = true;
@@ -196,9 +235,9 @@ struct BlockSums {
 };
 
 // Whether a point has yielded.
-HWY_NOINLINE bool update_block(Pack* packs, std::size_t count, const PackLaws& laws,
-                               const StepScales& scale, const Between& between,
-                               ParticleSums& sums) {
+HWY_NOINLINE bool update_block(Packs& packs, std::size_t first, std::size_t count,
+                               const PackLaws& laws, const StepScales& scale,
+                               const Between& between, ParticleSums& sums) {
   const Lanes d;
   BlockSums block_sums{};
   bool yields = false;
@@ -206,7 +245,8 @@ HWY_NOINLINE bool update_block(Pack* packs, std::size_t count, const PackLaws& l
     const auto zero = hn::Zero(d);
     LaneSums<Lanes> lane{zero, zero, zero, zero, false};
     for (std::size_t i = 0; i < count; ++i) {
-      update(d, packs[i], l, laws, scale, between.value[i], lane);
+      if (!any_of(packs.taken[first + i], l)) continue;
+      update(d, packs.pack[first + i], l, laws, scale, between.value[i], lane);
     }
     hn::Store(lane.work, d, block_sums.work + l);
     hn::Store(lane.px, d, block_sums.px + l);
@@ -224,6 +264,7 @@ HWY_NOINLINE bool gather_block(const Packs& packs, std::size_t first, std::size_
   bool inside = true;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
+      if (!any_of(packs.taken[first + i], l)) continue;
       inside =
           gather(d, packs.pack[first + i], packs.place[first + i], l, grid, between.value[i]) &&
           inside;
@@ -238,13 +279,13 @@ HWY_NOINLINE bool spread_block(Packs& packs, std::size_t first, std::size_t coun
   const auto per_h = static_cast<Real>(1 / grid.h);
   bool inside = true;
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
+    const auto motion_of = [&](std::size_t l) {
       const auto m = carried(d, between.value[i], l);
       if (keep) keep_motion(d, m, packs.motion[first + i], l);
-      inside = add_to_nodes(d, grid, packs.place[first + i], l, packs.pack[first + i], m, per_h,
-                            strayed) &&
-               inside;
-    }
+      return m;
+    };
+    inside = add_pack(packs, first + i, grid, per_h, motion_of) && inside;
+    strayed += static_cast<std::size_t>(std::popcount(packs.strayed[first + i]));
   }
   return inside;
 }
@@ -259,8 +300,7 @@ PackSums StepPacks(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt
   for (std::size_t first = begin; first < end; first += block) {
     const std::size_t count = std::min(block, end - first);
     inside = gather_block(packs, first, count, grid, between) && inside;
-    const bool yields =
-        update_block(&packs.pack[first], count, laws, scale, between, total.particles);
+    const bool yields = update_block(packs, first, count, laws, scale, between, total.particles);
     total.yields = total.yields || yields;
     inside = spread_block(packs, first, count, keep, grid, between, total.strayed) && inside;
   }
@@ -268,18 +308,15 @@ PackSums StepPacks(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt
   return total;
 }
 
-void Spread(const Packs& packs, PackGrid& grid, std::size_t first, std::size_t last) {
+void Spread(Packs& packs, PackGrid& grid, std::size_t first, std::size_t last) {
   const Lanes d;
-  std::size_t strayed = 0;
+  const auto per_h = static_cast<Real>(1 / grid.h);
   for (std::size_t i = first; i < last; ++i) {
-    const Pack& p = packs.pack[i];
     const PackMotion& k = packs.motion[i];
-    for (std::size_t l = 0; l < Pack::lanes; l += hn::Lanes(d)) {
-      const Carried<Lanes> m{hn::Load(d, k.vx + l),  hn::Load(d, k.vz + l),
-                             hn::Load(d, k.cxx + l), hn::Load(d, k.cxz + l),
-                             hn::Load(d, k.czx + l), hn::Load(d, k.czz + l)};
-      add_to_nodes(d, grid, packs.place[i], l, p, m, static_cast<Real>(1 / grid.h), strayed);
-    }
+    add_pack(packs, i, grid, per_h, [&](std::size_t l) {
+      return Carried<Lanes>{hn::Load(d, k.vx + l),  hn::Load(d, k.vz + l),  hn::Load(d, k.cxx + l),
+                            hn::Load(d, k.cxz + l), hn::Load(d, k.czx + l), hn::Load(d, k.czz + l)};
+    });
   }
 }
 
@@ -297,7 +334,7 @@ PackSums step_packs(Packs& packs, PackGrid& grid, const PackLaws& laws, double d
   return HWY_DYNAMIC_DISPATCH(StepPacks)(packs, grid, laws, dt, keep, first, last);
 }
 
-void spread(const Packs& packs, PackGrid& grid, std::size_t first, std::size_t last) {
+void spread(Packs& packs, PackGrid& grid, std::size_t first, std::size_t last) {
   HWY_DYNAMIC_DISPATCH(Spread)(packs, grid, first, last);
 }
 

@@ -15,12 +15,13 @@ struct PackSums {
   bool yields = false;      ///< a point has yielded in the step
 };
 
-/// Adds the points of packs `first` to `last` - 1 to the sums of the grid.
+/// Adds the points of packs `first` to `last` - 1 to the sums of the grid; finds the strays.
 /// @pre packs.motion holds its motion
-void spread(const Packs& packs, PackGrid& grid, std::size_t first, std::size_t last);
+void spread(Packs& packs, PackGrid& grid, std::size_t first, std::size_t last);
 
 /// As grid_to_particles, then as particles_to_grid (transfer.hpp), for laws without rate and flow.
-/// For the packs `first` to `last` - 1; `keep`: packs.motion is written.
+/// For the packs `first` to `last` - 1; `keep`: packs.motion is written. Finds the
+/// strays.
 PackSums step_packs(Packs& packs, PackGrid& grid, const PackLaws& laws, double dt, bool keep,
                     std::size_t first, std::size_t last);
 

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/packs/rehome.hpp"
+
 namespace leda::solver {
 
 namespace {
 
-// Strays cost about thirty times a point that is at home, and arranging all anew about as much as
-// one step: steps with strayed points that add up to this share of all are worth one arrangement.
-constexpr std::size_t share_that_strays = 6;
+// A stray costs a step about five times what a point at home does, and once as much to be put into
+// its new cell: strays that add up to this share of all over the steps are worth it.
+constexpr std::size_t share_that_strays = 200;
 
 double plane_sum(const PackGrid& grid, std::size_t column, std::size_t value) {
   const std::size_t planes = PackGrid::planes, first = (column * PackGrid::values + value) * planes;
@@ -37,19 +39,21 @@ double width(const PackedStage& stage) {
 }
 
 // Resting packs of group g that moving ground on the right feels; none are felt on the left, since
-// a point gives to its own column of nodes and the two after it.
+// a point gives to its own column of nodes and the two after it. Packs that do not stand in order
+// count as felt: what resting nodes are given is cleared before it can matter.
 std::size_t first_felt(const PackedStage& stage, std::size_t g) {
-  const auto& group = stage.packs.group;
-  if (g + 1 >= stage.rest.size() || stage.rest[g + 1].rests) return group[g + 1];
-  std::size_t first = group[g + 1];
+  const PackGroup& group = stage.packs.group[g];
+  if (g + 1 >= stage.rest.size() || stage.rest[g + 1].rests) return group.end();
+  std::size_t first = group.first + group.in_order;
   const std::size_t column = (g + 1) * columns_of_a_group - 2;
-  while (first > group[g] && stage.packs.place[first - 1].column >= column) --first;
+  while (first > group.first && stage.packs.place[first - 1].column >= column) --first;
   return first;
 }
 
 void spread_group(PackedStage& stage, std::size_t g) {
-  const std::size_t first = stage.rest[g].rests ? first_felt(stage, g) : stage.packs.group[g];
-  spread(stage.packs, stage.grid, first, stage.packs.group[g + 1]);
+  const PackGroup& group = stage.packs.group[g];
+  spread(stage.packs, stage.grid, stage.rest[g].rests ? first_felt(stage, g) : group.first,
+         group.end());
 }
 
 // What rests has no velocity, at its points and at its nodes.
@@ -57,8 +61,8 @@ void still(PackedStage& stage) {
   PackGrid& grid = stage.grid;
   for (std::size_t g = 0; g < stage.rest.size(); ++g) {
     if (!stage.rest[g].rests) continue;
-    const auto& group = stage.packs.group;
-    for (std::size_t i = group[g]; i < group[g + 1]; ++i) stage.packs.motion[i] = {};
+    const PackGroup& group = stage.packs.group[g];
+    for (std::size_t i = group.first; i < group.end(); ++i) stage.packs.motion[i] = {};
     const std::size_t first = g * columns_of_a_group;
     const std::size_t last = std::min(first + columns_of_a_group, grid.columns);
     std::fill_n(&grid.velocity[first * 2 * grid.stride], (last - first) * 2 * grid.stride, Real{0});
@@ -87,7 +91,7 @@ std::optional<PackedStage> begin_packed_stage(const Particles& particles, const 
                                               const LawTable& laws, bool softer) {
   PackedStage stage = empty_packed_stage(grid, laws, softer);
   if (!pack(particles, stage.grid, stage.packs)) return {};
-  stage.rest.assign(stage.packs.group.size() - 1, GroupRest{});
+  stage.rest.assign(stage.packs.group.size(), GroupRest{});
   spread_all(stage);
   return stage;
 }
@@ -100,7 +104,6 @@ void spread_all(PackedStage& stage) {
 
 StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team& team,
               bool& left_grid) {
-  const auto& group = stage.packs.group;
   const std::size_t groups = stage.rest.size();
   const bool decides = ++stage.steps % steps_between_decisions == 0 || stage.wakes;
   stage.kept = keep || decides;
@@ -117,15 +120,16 @@ StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team&
     team.run((groups + 1 - first) / 2, [&](std::size_t i) {
       const std::size_t g = first + 2 * i;
       if (stage.rest[g].rests) return spread_group(stage, g);
-      points[g] = step_packs(stage.packs, stage.grid, stage.laws, settings.dt, stage.kept, group[g],
-                             group[g + 1]);
+      const PackGroup& group = stage.packs.group[g];
+      points[g] = step_packs(stage.packs, stage.grid, stage.laws, settings.dt, stage.kept,
+                             group.first, group.end());
     });
   }
   StepSums sums;
   left_grid = false;
   stage.stepped = 0;
   for (std::size_t g = 0; g < groups; ++g) {
-    if (!stage.rest[g].rests) stage.stepped += stage.packs.group_points[g];
+    if (!stage.rest[g].rests) stage.stepped += stage.packs.group[g].points;
     add(nodes[g], points[g].particles, sums);
     stage.strayed += points[g].strayed;
     left_grid = left_grid || points[g].left_grid;
@@ -140,10 +144,8 @@ StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team&
 }
 
 bool tidy_up(PackedStage& stage) {
-  if (!rearrange(stage.packs, stage.grid)) return false;
   stage.strayed = 0;
-  still(stage);
-  return true;
+  return rehome_strays(stage.packs, stage.grid);
 }
 
 bool is_untidy(const PackedStage& stage) {

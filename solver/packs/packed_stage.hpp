@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "solver/packs/arrange.hpp"
+#include "solver/packs/pack.hpp"
 #include "solver/packs/pack_step.hpp"
 #include "solver/packs/rest.hpp"
 #include "solver/packs/team.hpp"
@@ -16,7 +16,7 @@ struct PackedStage {
   Packs packs;
   PackGrid grid;
   PackLaws laws;
-  std::size_t strayed = 0;      ///< points outside the cell they were arranged into, step by step
+  std::size_t strayed = 0;      ///< points outside their home cell, summed over the steps
   bool kept = false;            ///< the last step kept the motion
   std::vector<GroupRest> rest;  ///< of the groups of columns
   std::int64_t steps = 0;
@@ -42,7 +42,7 @@ void spread_all(PackedStage& stage);
 
 /// step() of a moving stage, on packs. `keep`: the motion can be read afterwards. Every 32nd step
 /// keeps it too, and lays to rest the ground that has come to rest.
-/// @pre no point has moved by more than a cell since the packs were arranged
+/// @pre no point has moved by more than a cell since it was put into its cell
 StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team& team,
               bool& left_grid);
 
@@ -50,7 +50,7 @@ StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team&
 /// @return false where a point has left the grid; nothing is changed then
 bool tidy_up(PackedStage& stage);
 
-/// Whether so many points have strayed that arranging them anew is the cheaper way on.
+/// Whether so many points have strayed that tidying up is the cheaper way on.
 bool is_untidy(const PackedStage& stage);
 
 /// Relative difference of mass and momentum between points and nodes. Wakes all ground.

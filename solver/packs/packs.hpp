@@ -15,12 +15,14 @@ namespace leda::solver {
 /// rounding error, energies are summed in double. What it changes: solver/packs/README.md.
 using Real = float;
 
-/// Eight material points, lane l of which lives in row `row + l` of one column of home cells.
-/// The home cell of a point is that of the lowest node it sees, when the packs were last arranged;
-/// so the nodes that the lanes see are runs of memory, and nothing is gathered or scattered.
-/// Lanes without a point have no mass and no volume.
+/// Two material points in each of eight rows of one column of home cells: lane l lives in row
+/// `row + l % rows`. The home cell of a point is that of the lowest node it sees, when it was last
+/// put there; so the nodes that eight lanes see are runs of memory, nothing is gathered or
+/// scattered, and both points of a row share what is read and summed. Lanes without a point have no
+/// mass and no volume.
 struct alignas(64) Pack {
-  static constexpr std::size_t lanes = 8;
+  static constexpr std::size_t rows = 8;
+  static constexpr std::size_t lanes = 2 * rows;
 
   Real x[lanes], z[lanes];  ///< from the home cell's lower left corner, in cells
   Real sxx[lanes], szz[lanes], sxz[lanes], syy[lanes];  ///< Cauchy stress, Pa
@@ -40,6 +42,10 @@ struct alignas(64) PackMotion {
   Real cxx[Pack::lanes], cxz[Pack::lanes], czx[Pack::lanes], czz[Pack::lanes];
 };
 
+/// One bit for each lane of a pack.
+using LaneBits = std::uint16_t;
+static_assert(Pack::lanes <= 16);
+
 /// Where the first lane of a pack lives.
 struct PackPlace {
   std::uint32_t column, row;
@@ -49,15 +55,32 @@ struct PackPlace {
 /// ones, however many threads there are.
 inline constexpr std::size_t columns_of_a_group = 16;
 
+/// The packs of one group of columns. What they give to the nodes touches the group's neighbours
+/// and no group beyond.
+struct PackGroup {
+  std::size_t first = 0;     ///< pack
+  std::size_t room = 0;      ///< packs, those in use before those in reserve, which are empty
+  std::size_t in_use = 0;    ///< packs, the first of them in the order of their columns
+  std::size_t in_order = 0;  ///< packs
+  std::size_t points = 0;
+
+  std::size_t end() const { return first + in_use; }
+};
+
+/// The packs in order of a column, counted from its group's first, and the rows its points reach.
+struct PackColumn {
+  std::uint32_t first = 0, rows = 0;
+};
+
 struct Packs {
   std::size_t count = 0;  ///< points
   std::vector<Pack> pack;
   std::vector<PackPlace> place;
   std::vector<PackMotion> motion;
-  /// First pack of each group of columns, and the end. What the packs of one group give to the
-  /// nodes touches the group's neighbours and no group beyond.
-  std::vector<std::size_t> group;
-  std::vector<std::size_t> group_points;  ///< points of each group
+  std::vector<LaneBits> taken;    ///< lanes of the pack that hold a point
+  std::vector<LaneBits> strayed;  ///< lanes whose point has left its home cell
+  std::vector<PackGroup> group;
+  std::vector<PackColumn> column;  ///< of the grid
 };
 
 /// The law table in single precision, without rate and flow. Columns are filled up with zeros to

@@ -1,5 +1,5 @@
-// Points that have left their home cell since the packs were arranged, served one by one; once for
-// each instruction set.
+// Points that have left their home cell and wait to be put into their new one, served one by one;
+// once for each instruction set.
 
 #if defined(LEDA_SOLVER_STRAYS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LEDA_SOLVER_STRAYS_INL
@@ -19,7 +19,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using OneLane = hn::CappedTag<Real, 1>;
 
-// Points of the pack that have left their home cell since the packs were arranged.
+// Points of the pack that have left their home cell.
 template <class D>
 HWY_INLINE hn::Mask<D> strays(D d, hn::Vec<D> x, hn::Vec<D> z, hn::Vec<D> mass) {
   const auto zero = hn::Zero(d), one = hn::Set(d, Real{1});
@@ -39,7 +39,7 @@ HWY_INLINE bool find_stray(const PackGrid& grid, const PackPlace& place, std::si
                            Real z, Stray& s) {
   const Real dx = std::floor(x), dz = std::floor(z);
   const Real column = static_cast<Real>(place.column) + dx;
-  const Real row = static_cast<Real>(place.row + lane) + dz;
+  const Real row = static_cast<Real>(place.row + lane % Pack::rows) + dz;
   if (!(column >= 0 && column + 3 <= static_cast<Real>(grid.columns) && row >= 0 &&
         row + 3 <= static_cast<Real>(grid.rows))) {
     return false;

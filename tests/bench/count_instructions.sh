@@ -22,7 +22,7 @@ kernels=(
   "update_block N_AVX2::update_block( packed_steps"
   "spread_block N_AVX2::spread_block( packed_steps"
   "UpdateColumns N_AVX2::UpdateColumns( packed_steps"
-  "rearrange solver::rearrange( arrangements"
+  "rehome_strays solver::rehome_strays( rehomings"
   "reference_particles_to_grid N_AVX2::ParticlesToGrid( reference_steps"
   "reference_update_velocity solver::update_velocity(leda::solver::Grid& reference_steps"
   "reference_grid_to_particles N_AVX2::GridToParticles( reference_steps"

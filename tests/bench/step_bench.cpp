@@ -54,6 +54,14 @@ void update_all(PackedStage& stage, const StepSettings& settings) {
                  stage.grid.columns - 1);
 }
 
+void update_points(PackedStage& stage, double dt) {
+  for (const PackGroup& group : stage.packs.group) {
+    stage.strayed +=
+        step_packs(stage.packs, stage.grid, stage.laws, dt, false, group.first, group.end())
+            .strayed;
+  }
+}
+
 void reference_step(benchmark::State& state) {
   Seeded s = bench::bank_after(static_cast<double>(state.range(0)));
   const StepSettings settings = settings_of(s);
@@ -77,22 +85,14 @@ void packed_step(benchmark::State& state) {
   Timer(state).run(
       static_cast<double>(s.particles.count),
       [&] {
-        if (is_untidy(*stage)) {
-          rearrange(stage->packs, stage->grid);
-          stage->strayed = 0;
-        }
+        if (is_untidy(*stage)) tidy_up(*stage);
         benchmark::DoNotOptimize(step(*stage, settings, false, team, left));
       },
       [] {});
+  std::size_t packs = 0;
+  for (const PackGroup& group : stage->packs.group) packs += group.in_use;
   state.counters["points_per_pack"] =
-      static_cast<double>(stage->packs.count) / static_cast<double>(stage->packs.pack.size());
-  std::size_t windows = 0;
-  for (std::size_t i = 1; i < stage->packs.place.size(); ++i) {
-    const auto &a = stage->packs.place[i - 1], &b = stage->packs.place[i];
-    windows += static_cast<unsigned long>(a.row != b.row || a.column != b.column);
-  }
-  state.counters["packs_per_window"] =
-      static_cast<double>(stage->packs.pack.size()) / static_cast<double>(windows);
+      static_cast<double>(stage->packs.count) / static_cast<double>(packs);
 }
 BENCHMARK(packed_step)->Arg(0)->Arg(5)->UseManualTime();
 
@@ -102,20 +102,11 @@ void packed_points(benchmark::State& state) {
   const StepSettings settings = settings_of(s);
   const auto nodes = [&] {
     update_all(*stage, settings);
-    if (stage->strayed * 6 > stage->packs.count) {
-      rearrange(stage->packs, stage->grid);
-      stage->strayed = 0;
-    }
+    if (is_untidy(*stage)) tidy_up(*stage);
   };
   nodes();
   Timer(state).run(
-      static_cast<double>(s.particles.count),
-      [&] {
-        stage->strayed += step_packs(stage->packs, stage->grid, stage->laws, settings.dt, false, 0,
-                                     stage->packs.pack.size())
-                              .strayed;
-      },
-      nodes);
+      static_cast<double>(s.particles.count), [&] { update_points(*stage, settings.dt); }, nodes);
 }
 BENCHMARK(packed_points)->Arg(0)->Arg(5)->UseManualTime();
 
@@ -125,20 +116,31 @@ void packed_nodes(benchmark::State& state) {
   const StepSettings settings = settings_of(s);
   Timer(state).run(
       static_cast<double>(s.particles.count), [&] { update_all(*stage, settings); },
-      [&] {
-        step_packs(stage->packs, stage->grid, stage->laws, settings.dt, false, 0,
-                   stage->packs.pack.size());
-      });
+      [&] { update_points(*stage, settings.dt); });
 }
 BENCHMARK(packed_nodes)->UseManualTime();
 
-void packed_rearrangement(benchmark::State& state) {
+void packing(benchmark::State& state) {
   const Seeded s = bench::bank_after(5);
   auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
   Timer(state).run(
-      static_cast<double>(s.particles.count), [&] { rearrange(stage->packs, stage->grid); }, [] {});
+      static_cast<double>(s.particles.count), [&] { pack(s.particles, stage->grid, stage->packs); },
+      [] {});
 }
-BENCHMARK(packed_rearrangement)->UseManualTime();
+BENCHMARK(packing)->UseManualTime();
+
+void rehoming(benchmark::State& state) {
+  const Seeded s = bench::bank_after(5);
+  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
+  const StepSettings settings = settings_of(s);
+  Timer(state).run(
+      static_cast<double>(s.particles.count), [&] { tidy_up(*stage); },
+      [&] {
+        update_all(*stage, settings);
+        update_points(*stage, settings.dt);
+      });
+}
+BENCHMARK(rehoming)->UseManualTime();
 
 void unpacking(benchmark::State& state) {
   Seeded s = bench::bank_after(5);

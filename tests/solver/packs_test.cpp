@@ -2,11 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
+#include "hwy/targets.h"
 #include "solver/packs/packed_stage.hpp"
+#include "solver/packs/packed_surface.hpp"
+#include "solver/packs/rehome.hpp"
 #include "solver/seed_particles.hpp"
 #include "solver/simulate.hpp"
 #include "solver/sort_particles.hpp"
@@ -88,61 +93,144 @@ TEST(Packs, StepAsTheReferenceDoes) {
   EXPECT_NEAR(found.particles.fastest_squared / expected.particles.fastest_squared, 1, 1e-5);
 }
 
+// What holds of packs at any time: every point once, at home or known as a stray, in a column of
+// its group; nothing in the reserve; rows in use up to what every point sees.
+void expect_sound(const Packs& packs, const PackGrid& grid) {
+  std::vector<int> times(packs.count, 0);
+  for (std::size_t g = 0; g < packs.group.size(); ++g) {
+    const PackGroup& group = packs.group[g];
+    std::size_t points = 0;
+    for (std::size_t i = group.first; i < group.first + group.room; ++i) {
+      const Pack& p = packs.pack[i];
+      for (std::size_t l = 0; l < Pack::lanes; ++l) {
+        const bool has = p.particle[l] >= 0;
+        EXPECT_EQ((packs.taken[i] >> l & 1) != 0, has);
+        if (!has) {
+          EXPECT_EQ(p.mass[l], 0);
+          EXPECT_EQ(p.volume[l], 0);
+          continue;
+        }
+        ++points;
+        ++times[static_cast<std::size_t>(p.particle[l])];
+        EXPECT_LT(i, group.end());
+        EXPECT_EQ(packs.place[i].column / columns_of_a_group, g);
+        EXPECT_LE(packs.place[i].row + l % Pack::rows + 4, grid.top[packs.place[i].column + 2]);
+        if ((packs.strayed[i] >> l & 1) != 0) continue;
+        EXPECT_GE(p.x[l], 0);
+        EXPECT_LT(p.x[l], 1);
+        EXPECT_GE(p.z[l], 0);
+        EXPECT_LT(p.z[l], 1);
+      }
+    }
+    EXPECT_EQ(points, group.points);
+  }
+  EXPECT_EQ(std::count(times.begin(), times.end(), 1), static_cast<std::ptrdiff_t>(times.size()));
+}
+
 TEST(Packs, HoldEveryParticleOnceInItsCell) {
   const Seeded s = moving_bank();
   PackGrid grid = make_pack_grid(s.grid);
   Packs packs;
   ASSERT_TRUE(pack(s.particles, grid, packs));
-  std::vector<int> times(s.particles.count, 0);
-  for (std::size_t i = 0; i < packs.pack.size(); ++i) {
-    const Pack& p = packs.pack[i];
-    for (std::size_t l = 0; l < Pack::lanes; ++l) {
-      if (p.particle[l] < 0) {
-        EXPECT_EQ(p.mass[l], 0);
-        EXPECT_EQ(p.volume[l], 0);
-        continue;
-      }
-      const auto from = static_cast<std::size_t>(p.particle[l]);
-      ++times[from];
-      EXPECT_GE(p.x[l], 0);
-      EXPECT_LT(p.x[l], 1);
-      EXPECT_GE(p.z[l], 0);
-      EXPECT_LT(p.z[l], 1);
-      const double x = packs.place[i].column - 0.5 + static_cast<double>(p.x[l]);
-      const double z =
-          packs.place[i].row + static_cast<double>(l) - 0.5 + static_cast<double>(p.z[l]);
-      EXPECT_NEAR(x * grid.h, s.particles.x[from], 1e-6);
-      EXPECT_NEAR(z * grid.h, s.particles.z[from], 1e-6);
-    }
-  }
-  EXPECT_EQ(std::count(times.begin(), times.end(), 1), static_cast<std::ptrdiff_t>(times.size()));
+  expect_sound(packs, grid);
+  Particles p = s.particles;
+  unpack_positions(packs, grid, p);
+  EXPECT_LT(difference(p.x, s.particles.x, p.count), 1e-7);
+  EXPECT_LT(difference(p.z, s.particles.z, p.count), 1e-7);
 }
 
-// Points carried out of their cells are served one by one until they are arranged anew; both ways
-// must lead to the same motion, but for the order of sums.
+// Moves points about, away from the model's edges, and tells which have strayed.
+void shake(Packs& packs, const PackGrid& grid, std::mt19937& random) {
+  std::uniform_real_distribution<float> shift(-0.4F, 0.4F);
+  for (std::size_t i = 0; i < packs.pack.size(); ++i) {
+    Pack& p = packs.pack[i];
+    for (std::size_t l = 0; l < Pack::lanes; ++l) {
+      const std::size_t column = packs.place[i].column, row = packs.place[i].row + l % Pack::rows;
+      const bool inside = column > 4 && column + 8 < grid.columns && row > 2 && row + 8 < grid.rows;
+      if (!inside || p.particle[l] < 0) continue;
+      p.x[l] += shift(random);
+      p.z[l] += shift(random);
+      const bool strays = std::floor(p.x[l]) != 0 || std::floor(p.z[l]) != 0;
+      if (strays) packs.strayed[i] = static_cast<LaneBits>(packs.strayed[i] | 1U << l);
+    }
+  }
+}
+
+TEST(Packs, StraysFindTheirNewCells) {
+  const Seeded s = moving_bank();
+  PackGrid grid = make_pack_grid(s.grid);
+  Packs packs;
+  ASSERT_TRUE(pack(s.particles, grid, packs));
+  std::mt19937 random(3);
+  Particles before = s.particles, after = s.particles;
+  const std::size_t room = packs.pack.size();
+  for (int i = 0; i < 40; ++i) {
+    shake(packs, grid, random);
+    unpack_positions(packs, grid, before);
+    ASSERT_TRUE(rehome_strays(packs, grid));
+    EXPECT_TRUE(std::all_of(packs.strayed.begin(), packs.strayed.end(),
+                            [](LaneBits bits) { return bits == 0; }));
+    expect_sound(packs, grid);
+    unpack_positions(packs, grid, after);
+    EXPECT_LT(difference(after.x, before.x, s.particles.count), 1e-6);
+    EXPECT_LT(difference(after.z, before.z, s.particles.count), 1e-6);
+  }
+  // Scattered points need more packs than a lattice does; the reserve alone would not have held
+  // them.
+  EXPECT_GT(packs.pack.size(), room);
+}
+
+TEST(Packs, ShowTheSurfaceOfTheirPoints) {
+  Seeded s = moving_bank();
+  PackGrid grid = make_pack_grid(s.grid);
+  Packs packs;
+  ASSERT_TRUE(pack(s.particles, grid, packs));
+  std::mt19937 random(5);
+  for (int i = 0; i < 10; ++i) {
+    shake(packs, grid, random);  // with strays, and then without
+    unpack_positions(packs, grid, s.particles);
+    EXPECT_EQ(packed_surface(packs, grid, s).z, surface(s).z);
+    ASSERT_TRUE(rehome_strays(packs, grid));
+    unpack_positions(packs, grid, s.particles);
+    EXPECT_EQ(packed_surface(packs, grid, s).z, surface(s).z);
+  }
+}
+
+TEST(Packs, StayAsTheyAreWherePointsLeaveTheGrid) {
+  const Seeded s = moving_bank();
+  PackGrid grid = make_pack_grid(s.grid);
+  Packs packs;
+  ASSERT_TRUE(pack(s.particles, grid, packs));
+  std::mt19937 random(3);
+  shake(packs, grid, random);
+  for (const Real far : {Real{-1e6}, Real{1e6}, std::numeric_limits<Real>::quiet_NaN()}) {
+    Packs left = packs;
+    const auto last = static_cast<std::size_t>(left.group.back().first);
+    const std::size_t i = left.group.back().in_use > 0 ? last : 0;
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left.taken[i]));
+    left.pack[i].x[lane] = far;
+    left.strayed[i] = static_cast<LaneBits>(left.strayed[i] | 1U << lane);
+    PackGrid same = grid;
+    EXPECT_FALSE(rehome_strays(left, same));
+    EXPECT_EQ(left.taken, packs.taken);
+    EXPECT_EQ(same.top, grid.top);
+  }
+}
+
+// Points carried out of their cells are served one by one until they are put into their new cells;
+// both ways must lead to the same motion, but for the order of sums.
 TEST(Packs, StraysMoveAsIfTheyHadBeenArranged) {
   const Seeded s = moving_bank();
   auto strayed = begin_packed_stage(s.particles, s.grid, s.laws);
   ASSERT_TRUE(strayed);
   std::mt19937 random(7);
-  std::uniform_real_distribution<float> shift(-0.4F, 0.4F);
   PackedStage& stage = *strayed;
-  for (std::size_t i = 0; i < stage.packs.pack.size(); ++i) {
-    Pack& p = stage.packs.pack[i];
-    const bool inside = stage.packs.place[i].column > 4 &&
-                        stage.packs.place[i].column + 8 < stage.grid.columns &&
-                        stage.packs.place[i].row > 2;
-    for (std::size_t l = 0; inside && l < Pack::lanes; ++l) {
-      if (p.particle[l] < 0) continue;
-      p.x[l] += shift(random);
-      p.z[l] += shift(random);
-    }
-  }
+  shake(stage.packs, stage.grid, random);
   std::fill(stage.grid.sums.begin(), stage.grid.sums.end(), Real{0});
   PackedStage arranged = stage;
   spread_all(stage);
   spread_all(arranged);
-  ASSERT_TRUE(rearrange(arranged.packs, arranged.grid));
+  ASSERT_TRUE(tidy_up(arranged));
   steps(stage, 3);
   steps(arranged, 3);
   EXPECT_GT(stage.strayed, 300U);
@@ -154,6 +242,36 @@ TEST(Packs, StraysMoveAsIfTheyHadBeenArranged) {
   EXPECT_LT(difference(a.vz, b.vz, a.count), 1e-4);
   EXPECT_LT(difference(a.szz, b.szz, a.count), 1e-5);
   EXPECT_LT(difference(a.sxz, b.sxz, a.count), 1e-4);
+}
+
+// Sixteen lanes are one vector with AVX-512 and two with AVX2.
+TEST(Packs, GiveTheSameBytesWhateverTheWidthOfTheVectors) {
+  constexpr std::int64_t wide = HWY_AVX3 | HWY_AVX3_DL;
+  if ((hwy::SupportedTargets() & wide) == 0 || (hwy::SupportedTargets() & HWY_AVX2) == 0) {
+    GTEST_SKIP() << "this processor has not both AVX2 and AVX-512";
+  }
+  const Seeded s = moving_bank();
+  const auto moved = [&] {
+    Particles p = s.particles;
+    auto stage = begin_packed_stage(p, s.grid, s.laws);
+    std::mt19937 random(11);
+    for (int i = 0; i < 5; ++i) {
+      steps(*stage, 3);
+      shake(stage->packs, stage->grid, random);
+      spread_all(*stage);  // strays of both halves of a pack
+      steps(*stage, 2);
+      EXPECT_TRUE(tidy_up(*stage));
+    }
+    steps(*stage, 3);
+    unpack(stage->packs, stage->grid, p);
+    return p;
+  };
+  Particles a = moved();
+  hwy::DisableTargets(wide);
+  Particles b = moved();
+  hwy::DisableTargets(0);
+  const auto all_a = a.arrays(), all_b = b.arrays();
+  for (std::size_t i = 0; i < all_a.size(); ++i) EXPECT_EQ(*all_a[i], *all_b[i]);
 }
 
 TEST(Packs, ConserveMassAndMomentum) {
