@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/time_step.hpp"
+
 namespace leda::server {
 namespace {
 
 constexpr double gravity = 9.81;
-// Measured on one core of a server processor; see "Error against run time" in the solver's README.
-constexpr db::TypicalRun without_history{0, 40, 50, 0};
+// Measured on one core of a server processor (solver/packs/README.md): packs take 8 to 13 ns, the
+// reference 40 to 50.
+constexpr double ns_of_packs = 12, ns_of_reference = 45;
+constexpr db::TypicalRun without_history{0, 40, 0, 0};
 // Bytes of a particle in a frame of fields.h5, deflated, and in the checkpoint.
 constexpr double frame_bytes = 40, checkpoint_bytes = 200;
 constexpr double folder_bytes = 100e3;  // documents, log, profile
@@ -29,20 +33,31 @@ double wave_speed(const Material& m) {
   return std::sqrt(modulus * gravity / m.unit_weight);
 }
 
+// As the solver decides it (solver/packs/README.md).
+bool runs_on_packs(const Material& m) {
+  constexpr double most_poisson_ratio = 0.46;
+  return !m.rate && !m.flow && m.poisson_ratio <= most_poisson_ratio;
+}
+
 }  // namespace
 
 RunSize run_size(const Section& section, const RunSettings& settings) {
   const double h = settings.resolution.cell_m;
   double fastest = 0;
+  bool packs = true;
   for (const auto& layer : section.layers) {
     const auto material = section.materials.find(layer.material);
     if (material != section.materials.end()) {
       fastest = std::max(fastest, wave_speed(material->second));
+      packs = packs && runs_on_packs(material->second);
     }
   }
   RunSize size;
   size.particles = area_above_base(section) / (h * h) * settings.resolution.particles_per_cell;
-  size.steps_per_simulated_s = fastest / (settings.time_step_factor * h);
+  const double most = packs && solver::takes_long_steps(settings) ? settings.time_step_factor
+                                                                  : solver::most_factor_unsoftened;
+  size.steps_per_simulated_s = fastest / (std::min(settings.time_step_factor, most) * h);
+  size.ns_per_particle_step = packs ? ns_of_packs : ns_of_reference;
   size.longest_s = settings.stop.max_time_s;
   const double interval = settings.output.frame_interval_s;
   if (interval > 0) size.frames += settings.stop.max_time_s / interval;
@@ -54,8 +69,8 @@ db::TypicalRun typical_or_default(const std::optional<db::TypicalRun>& measured)
 }
 
 RunCost cost_of(const RunSize& size, const db::TypicalRun& typical) {
-  const double core_s_per_simulated_s =
-      size.particles * size.steps_per_simulated_s * typical.ns_per_particle_step * 1e-9;
+  const double ns = typical.runs > 0 ? typical.ns_per_particle_step : size.ns_per_particle_step;
+  const double core_s_per_simulated_s = size.particles * size.steps_per_simulated_s * ns * 1e-9;
   RunCost cost;
   cost.likely_core_s = core_s_per_simulated_s * std::min(typical.simulated_s, size.longest_s);
   cost.longest_core_s = core_s_per_simulated_s * std::max(typical.simulated_s, size.longest_s);

@@ -15,13 +15,14 @@ struct RunSize {
   double steps_per_simulated_s = 0;  ///< on ground at rest; fast ground takes more
   double longest_s = 0;              ///< simulated time it may take
   double frames = 2;                 ///< kept in fields.h5
+  double ns_per_particle_step = 0;   ///< where the store holds no results yet
 };
 
 /// From the ground's area, the cell, and the wave speed of the stiffest material.
 /// @pre the section has no faults
 RunSize run_size(const Section& section, const RunSettings& settings);
 
-/// What runs have taken so far, or what they take on an ordinary core where there were none.
+/// What runs have taken so far; where there were none, how long runs move, the rest being zero.
 db::TypicalRun typical_or_default(const std::optional<db::TypicalRun>& measured);
 
 struct RunCost {
