@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/law_table.hpp"
 #include "solver/time_step.hpp"
 
 namespace leda::server {
@@ -33,10 +34,9 @@ double wave_speed(const Material& m) {
   return std::sqrt(modulus * gravity / m.unit_weight);
 }
 
-// As the solver decides it (solver/packs/README.md).
+// As packs_can_run decides it for a run.
 bool runs_on_packs(const Material& m) {
-  constexpr double most_poisson_ratio = 0.46;
-  return !m.rate && !m.flow && m.poisson_ratio <= most_poisson_ratio;
+  return !solver::is_viscous(m) && m.poisson_ratio <= solver::locking_poisson_ratio;
 }
 
 }  // namespace
@@ -54,8 +54,7 @@ RunSize run_size(const Section& section, const RunSettings& settings) {
   }
   RunSize size;
   size.particles = area_above_base(section) / (h * h) * settings.resolution.particles_per_cell;
-  const double most = packs && solver::takes_long_steps(settings) ? settings.time_step_factor
-                                                                  : solver::most_factor_unsoftened;
+  const double most = solver::most_factor(packs && solver::takes_long_steps(settings));
   size.steps_per_simulated_s = fastest / (std::min(settings.time_step_factor, most) * h);
   size.ns_per_particle_step = packs ? ns_of_packs : ns_of_reference;
   size.longest_s = settings.stop.max_time_s;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/run_state.hpp"
 #include "solver/sort_particles.hpp"
@@ -50,12 +49,6 @@ bool is_looked_at(const RunState& run, double dt) {
          then >= run.settings->stop.max_time_s;
 }
 
-double most_factor(const RunState& run, bool move) {
-  if (!move) return most_factor_held;
-  return run.packed && run.packed->laws.softer ? std::numeric_limits<double>::infinity()
-                                               : most_factor_unsoftened;
-}
-
 // Positions that are held do no work the audit could follow: it looks at moving ground only.
 std::optional<StageEnd> check(const RunState& run, const StepSums& sums, double dt, bool move) {
   const double all = sums.particles.momentum_x + sums.particles.momentum_z +
@@ -79,7 +72,8 @@ std::optional<StageEnd> check(const RunState& run, const StepSums& sums, double 
 
 std::optional<StageEnd> advance(RunState& run, const LawTable& laws, double damping, bool move) {
   if (auto end = keep_sorted(run)) return end;
-  const double factor = std::min(run.settings->time_step_factor, most_factor(run, move));
+  const double most = move ? most_factor(run.packed && run.packed->laws.softer) : most_factor_held;
+  const double factor = std::min(run.settings->time_step_factor, most);
   const double dt = time_step(run.seeded.grid.h, laws.stiffest_speed, run.fastest, factor);
   const StepSettings settings{dt, gravity, damping, move};
   bool left_grid = false;

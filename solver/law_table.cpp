@@ -13,9 +13,10 @@ namespace {
 constexpr int strength_steps = 1000;  // of the largest strength: a rounding of at most 0.05 %
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr double locking_ratio = 2 * 1.46 / (3 * (1 - 2 * 0.46));  // K / G at nu = 0.46
-constexpr double beyond_reach = 1e30;                              // Pa: no stress gets there
-constexpr double no_rate = 1e-300;  // of the reference: its logarithm is still a number
+constexpr double locking_ratio =  // K / G
+    2 * (1 + locking_poisson_ratio) / (3 * (1 - 2 * locking_poisson_ratio));
+constexpr double beyond_reach = 1e30;  // Pa: no stress gets there
+constexpr double no_rate = 1e-300;     // of the reference: its logarithm is still a number
 
 SofteningCurve perfectly_plastic(double peak) {
   SofteningCurve curve;
@@ -23,8 +24,6 @@ SofteningCurve perfectly_plastic(double peak) {
   curve.exp_end = curve.line_end = endless;
   return curve;
 }
-
-bool is_viscous(const Material& m) { return m.rate || m.flow; }
 
 struct RateRow {
   double base = 1, log_share = 0, power_share = 0, exponent = 0, least = 1, reference = 1;

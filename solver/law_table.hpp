@@ -53,7 +53,13 @@ class LawTableBuilder {
   LawTable table_;
 };
 
-/// Whether a law locks unless dilation is averaged: K / G above that of Poisson's ratio 0.46.
+/// Ground of a higher Poisson's ratio locks unless dilation is averaged.
+inline constexpr double locking_poisson_ratio = 0.46;
+
+/// Whether strength or stress depends on the rate of shear.
+inline bool is_viscous(const Material& m) { return m.rate || m.flow; }
+
+/// Whether a law locks: K / G above that of locking_poisson_ratio.
 bool nearly_incompressible(const LawTable& table);
 
 /// The same laws without softening, rate and flow; without yield where `elastic`.

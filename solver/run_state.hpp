@@ -30,8 +30,7 @@ struct RunState {
   const RunSettings* settings = nullptr;
   const Listener* listener = nullptr;
 
-  Seeded seeded;  ///< its particles are those of the last check while `packed` holds a stage;
-                  ///< positions, of the last look
+  Seeded seeded;  ///< its particles are those of the last check while `packed` holds a stage
   std::optional<PackedStage> packed;
   std::shared_ptr<Team> team;  ///< of the process, no part of the state
   CrestAndToe bank;

@@ -1,6 +1,8 @@
 #pragma once
 // The explicit time step.
 
+#include <limits>
+
 #include "solver/section/run_settings.hpp"
 
 namespace leda::solver {
@@ -23,6 +25,12 @@ inline constexpr double most_factor_unsoftened = 0.65;
 inline bool takes_long_steps(const RunSettings& settings) {
   return settings.time_step_factor > most_factor_unsoftened &&
          settings.resolution.particles_per_cell > 1;
+}
+
+/// The longest step, of h / c_p, that a moving stage takes; `softer` as in PackLaws. What a case
+/// may ask for, validation says.
+inline double most_factor(bool softer) {
+  return softer ? std::numeric_limits<double>::infinity() : most_factor_unsoftened;
 }
 
 }  // namespace leda::solver

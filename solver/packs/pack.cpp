@@ -73,9 +73,11 @@ bool pack(const Particles& particles, PackGrid& grid, Packs& packs) {
   return true;
 }
 
-void unpack_positions(const Packs& packs, const PackGrid& grid, Particles& particles) {
+void unpack(const Packs& packs, const PackGrid& grid, Particles& particles) {
+  const double per_h = 1 / grid.h;
   for (std::size_t i = 0; i < packs.pack.size(); ++i) {
     const Pack& p = packs.pack[i];
+    const PackMotion& m = packs.motion[i];
     const double column = packs.place[i].column - 0.5, row = packs.place[i].row - 0.5;
     for (std::size_t l = 0; l < Pack::lanes; ++l) {
       if (p.particle[l] < 0) continue;
@@ -83,19 +85,6 @@ void unpack_positions(const Packs& packs, const PackGrid& grid, Particles& parti
       particles.x[to] = (column + static_cast<double>(p.x[l])) * grid.h;
       particles.z[to] =
           (row + static_cast<double>(l % Pack::rows) + static_cast<double>(p.z[l])) * grid.h;
-    }
-  }
-}
-
-void unpack(const Packs& packs, const PackGrid& grid, Particles& particles) {
-  const double per_h = 1 / grid.h;
-  unpack_positions(packs, grid, particles);
-  for (std::size_t i = 0; i < packs.pack.size(); ++i) {
-    const Pack& p = packs.pack[i];
-    const PackMotion& m = packs.motion[i];
-    for (std::size_t l = 0; l < Pack::lanes; ++l) {
-      if (p.particle[l] < 0) continue;
-      const auto to = static_cast<std::size_t>(p.particle[l]);
       particles.sxx[to] = p.sxx[l];
       particles.szz[to] = p.szz[l];
       particles.sxz[to] = p.sxz[l];

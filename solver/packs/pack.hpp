@@ -15,9 +15,6 @@ bool on_grid(const PackGrid& grid, double column, double row);
 /// @return false where a particle lies outside the grid
 bool pack(const Particles& particles, PackGrid& grid, Packs& packs);
 
-/// Writes where the points are to the particles they came from.
-void unpack_positions(const Packs& packs, const PackGrid& grid, Particles& particles);
-
 /// Writes what the packs hold to the particles they came from.
 /// @pre the last step kept the motion
 void unpack(const Packs& packs, const PackGrid& grid, Particles& particles);

@@ -2,50 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <random>
 
 #include "hwy/targets.h"
 #include "solver/packs/packed_stage.hpp"
-#include "solver/packs/packed_surface.hpp"
-#include "solver/packs/rehome.hpp"
-#include "solver/seed_particles.hpp"
 #include "solver/simulate.hpp"
-#include "solver/sort_particles.hpp"
 #include "tests/solver/bank.hpp"
+#include "tests/solver/moving_bank.hpp"
 
 namespace leda::solver::test {
 namespace {
 
 constexpr double dt = 1e-3;
-
-// A bank with a motion of its own, so that strain, spin and yield are all there.
-Seeded moving_bank(std::uint64_t seed = 1) {
-  Resolution resolution;
-  resolution.seed = seed;
-  Seeded s = seed_particles(bank(10, 30, 25e3), resolution);
-  Particles& p = s.particles;
-  for (std::size_t i = 0; i < p.count; ++i) {
-    p.vx[i] = 0.5 * std::sin(0.2 * p.x[i]) * p.z[i] / 13;
-    p.vz[i] = -0.3 * std::cos(0.15 * p.x[i]) * p.z[i] / 13;
-    p.plastic_strain[i] = i % 3 == 0 ? 0.05 : 0.0;
-  }
-  EXPECT_TRUE(sort_particles(s.particles, s.grid));
-  return s;
-}
-
-// Largest difference of an array over its largest value.
-double difference(const std::vector<double>& a, const std::vector<double>& b, std::size_t count) {
-  double most = 0, size = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    most = std::max(most, std::abs(a[i] - b[i]));
-    size = std::max(size, std::abs(b[i]));
-  }
-  return most / size;
-}
 
 StepSums steps(PackedStage& stage, int count) {
   StepSums sums;
@@ -91,130 +61,6 @@ TEST(Packs, StepAsTheReferenceDoes) {
   EXPECT_NEAR(found.particles.stress_work / expected.particles.stress_work, 1, 1e-4);
   EXPECT_NEAR(found.particles.momentum_z / expected.particles.momentum_z, 1, 1e-5);
   EXPECT_NEAR(found.particles.fastest_squared / expected.particles.fastest_squared, 1, 1e-5);
-}
-
-// What holds of packs at any time: every point once, at home or known as a stray, in a column of
-// its group; nothing in the reserve; rows in use up to what every point sees.
-void expect_sound(const Packs& packs, const PackGrid& grid) {
-  std::vector<int> times(packs.count, 0);
-  for (std::size_t g = 0; g < packs.group.size(); ++g) {
-    const PackGroup& group = packs.group[g];
-    std::size_t points = 0;
-    for (std::size_t i = group.first; i < group.first + group.room; ++i) {
-      const Pack& p = packs.pack[i];
-      for (std::size_t l = 0; l < Pack::lanes; ++l) {
-        const bool has = p.particle[l] >= 0;
-        EXPECT_EQ((packs.taken[i] >> l & 1) != 0, has);
-        if (!has) {
-          EXPECT_EQ(p.mass[l], 0);
-          EXPECT_EQ(p.volume[l], 0);
-          continue;
-        }
-        ++points;
-        ++times[static_cast<std::size_t>(p.particle[l])];
-        EXPECT_LT(i, group.end());
-        EXPECT_EQ(packs.place[i].column / columns_of_a_group, g);
-        EXPECT_LE(packs.place[i].row + l % Pack::rows + 4, grid.top[packs.place[i].column + 2]);
-        if ((packs.strayed[i] >> l & 1) != 0) continue;
-        EXPECT_GE(p.x[l], 0);
-        EXPECT_LT(p.x[l], 1);
-        EXPECT_GE(p.z[l], 0);
-        EXPECT_LT(p.z[l], 1);
-      }
-    }
-    EXPECT_EQ(points, group.points);
-  }
-  EXPECT_EQ(std::count(times.begin(), times.end(), 1), static_cast<std::ptrdiff_t>(times.size()));
-}
-
-TEST(Packs, HoldEveryParticleOnceInItsCell) {
-  const Seeded s = moving_bank();
-  PackGrid grid = make_pack_grid(s.grid);
-  Packs packs;
-  ASSERT_TRUE(pack(s.particles, grid, packs));
-  expect_sound(packs, grid);
-  Particles p = s.particles;
-  unpack_positions(packs, grid, p);
-  EXPECT_LT(difference(p.x, s.particles.x, p.count), 1e-7);
-  EXPECT_LT(difference(p.z, s.particles.z, p.count), 1e-7);
-}
-
-// Moves points about, away from the model's edges, and tells which have strayed.
-void shake(Packs& packs, const PackGrid& grid, std::mt19937& random) {
-  std::uniform_real_distribution<float> shift(-0.4F, 0.4F);
-  for (std::size_t i = 0; i < packs.pack.size(); ++i) {
-    Pack& p = packs.pack[i];
-    for (std::size_t l = 0; l < Pack::lanes; ++l) {
-      const std::size_t column = packs.place[i].column, row = packs.place[i].row + l % Pack::rows;
-      const bool inside = column > 4 && column + 8 < grid.columns && row > 2 && row + 8 < grid.rows;
-      if (!inside || p.particle[l] < 0) continue;
-      p.x[l] += shift(random);
-      p.z[l] += shift(random);
-      const bool strays = std::floor(p.x[l]) != 0 || std::floor(p.z[l]) != 0;
-      if (strays) packs.strayed[i] = static_cast<LaneBits>(packs.strayed[i] | 1U << l);
-    }
-  }
-}
-
-TEST(Packs, StraysFindTheirNewCells) {
-  const Seeded s = moving_bank();
-  PackGrid grid = make_pack_grid(s.grid);
-  Packs packs;
-  ASSERT_TRUE(pack(s.particles, grid, packs));
-  std::mt19937 random(3);
-  Particles before = s.particles, after = s.particles;
-  const std::size_t room = packs.pack.size();
-  for (int i = 0; i < 40; ++i) {
-    shake(packs, grid, random);
-    unpack_positions(packs, grid, before);
-    ASSERT_TRUE(rehome_strays(packs, grid));
-    EXPECT_TRUE(std::all_of(packs.strayed.begin(), packs.strayed.end(),
-                            [](LaneBits bits) { return bits == 0; }));
-    expect_sound(packs, grid);
-    unpack_positions(packs, grid, after);
-    EXPECT_LT(difference(after.x, before.x, s.particles.count), 1e-6);
-    EXPECT_LT(difference(after.z, before.z, s.particles.count), 1e-6);
-  }
-  // Scattered points need more packs than a lattice does; the reserve alone would not have held
-  // them.
-  EXPECT_GT(packs.pack.size(), room);
-}
-
-TEST(Packs, ShowTheSurfaceOfTheirPoints) {
-  Seeded s = moving_bank();
-  PackGrid grid = make_pack_grid(s.grid);
-  Packs packs;
-  ASSERT_TRUE(pack(s.particles, grid, packs));
-  std::mt19937 random(5);
-  for (int i = 0; i < 10; ++i) {
-    shake(packs, grid, random);  // with strays, and then without
-    unpack_positions(packs, grid, s.particles);
-    EXPECT_EQ(packed_surface(packs, grid, s).z, surface(s).z);
-    ASSERT_TRUE(rehome_strays(packs, grid));
-    unpack_positions(packs, grid, s.particles);
-    EXPECT_EQ(packed_surface(packs, grid, s).z, surface(s).z);
-  }
-}
-
-TEST(Packs, StayAsTheyAreWherePointsLeaveTheGrid) {
-  const Seeded s = moving_bank();
-  PackGrid grid = make_pack_grid(s.grid);
-  Packs packs;
-  ASSERT_TRUE(pack(s.particles, grid, packs));
-  std::mt19937 random(3);
-  shake(packs, grid, random);
-  for (const Real far : {Real{-1e6}, Real{1e6}, std::numeric_limits<Real>::quiet_NaN()}) {
-    Packs left = packs;
-    const auto last = static_cast<std::size_t>(left.group.back().first);
-    const std::size_t i = left.group.back().in_use > 0 ? last : 0;
-    const auto lane = static_cast<std::size_t>(std::countr_zero(left.taken[i]));
-    left.pack[i].x[lane] = far;
-    left.strayed[i] = static_cast<LaneBits>(left.strayed[i] | 1U << lane);
-    PackGrid same = grid;
-    EXPECT_FALSE(rehome_strays(left, same));
-    EXPECT_EQ(left.taken, packs.taken);
-    EXPECT_EQ(same.top, grid.top);
-  }
 }
 
 // Points carried out of their cells are served one by one until they are put into their new cells;
