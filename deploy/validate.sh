@@ -41,7 +41,7 @@ deploy/install.sh
 cmake --preset release
 cmake --build --preset release
 # A copy, so that a build in the meantime does not change the program between two runs.
-cp build/release/leda "$out/leda"
+cp -t "$out" build/release/leda build/release/leda-commands
 
 failed=()
 step() {  # what, command...: a failure does not keep the rest from being measured

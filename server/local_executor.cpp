@@ -170,6 +170,8 @@ void LocalExecutor::cancel(const std::string& run) {
   kill(found->second.process, SIGTERM);
 }
 
-std::filesystem::path own_program() { return std::filesystem::read_symlink("/proc/self/exe"); }
+std::filesystem::path program_beside() {
+  return std::filesystem::read_symlink("/proc/self/exe").replace_filename("leda");
+}
 
 }  // namespace leda::server

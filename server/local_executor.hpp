@@ -58,7 +58,7 @@ class LocalExecutor final : public Executor {
   std::vector<RunEnd> not_started_;
 };
 
-/// The file of the running program.
-std::filesystem::path own_program();
+/// The program `leda` in the folder of the running one.
+std::filesystem::path program_beside();
 
 }  // namespace leda::server

@@ -1,41 +1,40 @@
-// The command line of Leda: each subcommand stands in a file of its own in commands/.
+// The program `leda`. A region starts `leda simulate` for each of its sections, so that command
+// stands here by itself and loads none of the hundred libraries that GDAL brings along; any other
+// command is handed to leda-commands, which stands beside this program and has all of them.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string_view>
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/version.hpp"
 
 namespace {
 
-int run(int argc, char** argv) {
+int simulate(int argc, char** argv) {
   CLI::App app("Leda maps the hazard of retrogressive landslides in sensitive clays.", "leda");
-  app.set_version_flag("--version", std::string("leda ") + leda::server::version());
   app.require_subcommand(1);
   int exit_code = 0;
-  leda::server::add_serve(app, exit_code);
-  leda::server::add_map(app, exit_code);
   leda::server::add_simulate(app, exit_code);
-  leda::server::add_screen(app, exit_code);
-  leda::server::add_dss(app, exit_code);
-  leda::server::add_calibrate(app, exit_code);
-  leda::server::add_fit(app, exit_code);
-  leda::server::add_compare(app, exit_code);
-  leda::server::add_study(app, exit_code);
-  leda::server::add_check(app, exit_code);
-  leda::server::add_export(app, exit_code);
-  leda::server::add_backup(app, exit_code);
-  leda::server::add_purge(app, exit_code);
-  leda::server::add_array_task(app, exit_code);
-  leda::server::add_token(app, exit_code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  return exit_code;
+  return leda::server::exit_code_of(app, argc, argv, exit_code);
+}
+
+int hand_over(char** argv) {
+  const auto own = std::filesystem::read_symlink("/proc/self/exe");
+  const auto all = own.parent_path() / "leda-commands";
+  execv(all.c_str(), argv);
+  fmt::print(stderr, "error: {}: {}; it belongs beside {}\n", all.string(), std::strerror(errno),
+             own.string());
+  return 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return leda::server::guarded([&] { return run(argc, argv); });
+  const bool simulates = argc > 1 && std::string_view(argv[1]) == "simulate";
+  return leda::server::guarded([&] { return simulates ? simulate(argc, argv) : hand_over(argv); });
 }

@@ -29,7 +29,7 @@ struct ServiceOptions {
   std::size_t workers = 1;
   RunLimits run_limits;
   SlurmSettings slurm;
-  std::filesystem::path program = own_program();  ///< of the workers
+  std::filesystem::path program = program_beside();  ///< of the workers
   Limits limits;
   Tokens tokens;           ///< none: only for the loopback interface
   std::string public_url;  ///< how clients reach it, behind a proxy; empty: as it listens

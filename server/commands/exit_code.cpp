@@ -31,4 +31,13 @@ int guarded(const std::function<int()>& command) {
   }
 }
 
+int exit_code_of(CLI::App& app, int argc, char** argv, const int& of_command) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return of_command;
+}
+
 }  // namespace leda::server

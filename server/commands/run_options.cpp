@@ -13,7 +13,7 @@ namespace {
 
 void add_slurm_options(CLI::App& command, WorkerOptions& options) {
   SlurmSettings& slurm = options.slurm;
-  slurm.program = own_program();
+  slurm.program = program_beside();
   const auto add = [&](const char* name, auto& value, const char* what) {
     return command.add_option(name, value, what)->group("Slurm");
   };

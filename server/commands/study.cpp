@@ -77,7 +77,7 @@ int run(const Options& options) {
   const InterruptSignals signals;
   const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
   fs::create_directories(options.out);
-  LocalExecutor executor(own_program(), workers_of(options, asked));
+  LocalExecutor executor(program_beside(), workers_of(options, asked));
   StudyListener listener;
   listener.interrupted = InterruptSignals::arrived;
   if (terminal) listener.progress = show;

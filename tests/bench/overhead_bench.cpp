@@ -31,8 +31,8 @@ server::CaseFile one_metre_case() {
 }
 
 void program_start(benchmark::State& state) {
-  char program[] = LEDA_PROGRAM, version[] = "--version";
-  char* arguments[] = {program, version, nullptr};
+  char program[] = LEDA_PROGRAM, simulate[] = "simulate", help[] = "--help";
+  char* arguments[] = {program, simulate, help, nullptr};
   posix_spawn_file_actions_t quiet;
   posix_spawn_file_actions_init(&quiet);
   posix_spawn_file_actions_addopen(&quiet, 1, "/dev/null", 1, 0);
@@ -41,7 +41,7 @@ void program_start(benchmark::State& state) {
     int status = 0;
     if (posix_spawn(&child, program, &quiet, nullptr, arguments, environ) != 0 ||
         waitpid(child, &status, 0) != child || status != 0) {
-      state.SkipWithError("leda --version failed");
+      state.SkipWithError("leda simulate --help failed");
       break;
     }
   }

@@ -56,6 +56,17 @@ TEST_F(CommandLine, WrongUseIsToldWithCodeTwo) {
   EXPECT_NE(open_to_all.errors.find("127.0.0.1"), std::string::npos) << open_to_all.errors;
 }
 
+TEST_F(CommandLine, AProgramWithoutItsCommandsSaysWhatIsMissing) {
+  const auto alone = folder.path() / "leda";
+  std::filesystem::copy_file(LEDA_PROGRAM, alone);
+  const auto simulate = run_program({alone, "simulate", "--help"});
+  EXPECT_EQ(simulate->exit_code, 0) << simulate->errors;
+  const auto map = run_program({alone, "map", "--help"});
+  EXPECT_EQ(map->exit_code, 1);
+  const std::string missing = folder.path() / "leda-commands";
+  EXPECT_NE(map->errors.find(missing + ": No such file"), std::string::npos) << map->errors;
+}
+
 TEST_F(CommandLine, FaultsOfARegionAreListedWithTheirPointers) {
   json request = bank_region();
   request["inputs"]["resolution"]["cell_m"] = -1;

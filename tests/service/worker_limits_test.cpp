@@ -55,14 +55,14 @@ TEST_F(WorkerLimits, ASectionThatNeedsMoreMemoryThanItMayUseFailsForMemory) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "a sanitizer's shadow memory leaves no room for a limit";
 #endif
-  start({"--workers", "1", "--run-memory-gb", "0.5"});
+  start({"--workers", "1", "--run-memory-gb", "0.3"});
   submit(one_section(0.1));
   EXPECT_EQ(server->wait_for_job(job)["status"], "failed");
   const json failed = section(0);
   EXPECT_EQ(failed["state"], "failed");
   EXPECT_EQ(failed["attempts"], 1) << "it would fail again";
   EXPECT_EQ(failed["reason"],
-            "memory: error: the run needs more memory than the 0.5 GB it may use");
+            "memory: error: the run needs more memory than the 0.3 GB it may use");
 }
 
 TEST_F(WorkerLimits, ASectionThatTakesLongerThanItMayFails) {
