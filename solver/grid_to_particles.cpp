@@ -115,7 +115,7 @@ HWY_INLINE hn::Vec<D> update_stress(D d, Particles& p, std::size_t i, const LawT
   const PlaneStress<hn::Vec<D>> old{hn::LoadU(d, &p.sxx[i]), hn::LoadU(d, &p.szz[i]),
                                     hn::LoadU(d, &p.sxz[i]), hn::LoadU(d, &p.syy[i])};
   const auto gamma = hn::LoadU(d, &p.plastic_strain[i]);
-  const auto row = law_rows(d, &p.law[i]);
+  const auto row = law_rows(d, &p.law[i], laws.rows(), false);
   const auto next = next_stress<Viscous>(d, row, laws, old, gamma, e, spin, dt,
                                          Moduli<hn::Vec<D>>{row(laws.bulk), row(laws.shear)});
   if (next.yields) hn::StoreU(hn::Add(gamma, next.plastic_strain), d, &p.plastic_strain[i]);

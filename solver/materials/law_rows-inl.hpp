@@ -16,37 +16,64 @@ HWY_BEFORE_NAMESPACE();
 namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Reads one column of the law table: within a vector where the whole column is one, a broadcast
-/// where all lanes share the row.
+/// A column of the law table from `first` on for rows counted from there, looked up within as many
+/// vectors as `two` says; what is beyond them is anything.
+template <class D>
+HWY_INLINE hn::Vec<D> look_up(D d, const hn::TFromD<D>* first, hn::Vec<hn::RebindToSigned<D>> rows,
+                              bool two) {
+  const hn::RebindToSigned<D> r;
+  const auto last = static_cast<hn::TFromD<hn::RebindToSigned<D>>>(hn::Lanes(d) - 1);
+  const auto within = hn::IndicesFromVec(d, hn::And(rows, hn::Set(r, last)));
+  const auto low = hn::TableLookupLanes(hn::LoadU(d, first), within);
+  if (!two) return low;
+  const auto high = hn::TableLookupLanes(hn::LoadU(d, first + hn::Lanes(d)), within);
+  return hn::IfThenElse(hn::RebindMask(d, hn::Gt(rows, hn::Set(r, last))), high, low);
+}
+
+/// Reads one column of the law table for a vector of particles. Rows are made in the order of
+/// seeding, upwards in each column of points, so that those of neighbours are near one another and
+/// need no gather.
 template <class D>
 struct LawRows {
-  D d;
-  hn::Vec<hn::RebindToSigned<D>> rows;
-  std::size_t first;
-  bool one_vector;
-  bool same;
+  enum class Span { one_row, one_vector, two_vectors, any };
+
+  Span span;
+  std::size_t lowest;
+  hn::Vec<hn::RebindToSigned<D>> rows;  ///< from the lowest on
 
   HWY_INLINE hn::Vec<D> operator()(const std::vector<hn::TFromD<D>>& column) const {
-    if (one_vector) {
-      return hn::TableLookupLanes(hn::LoadU(d, column.data()), hn::IndicesFromVec(d, rows));
-    }
-    if (HWY_LIKELY(same)) return hn::Set(d, column[first]);
-    return hn::GatherIndex(d, column.data(), rows);
+    const D d;
+    const auto* first = column.data() + lowest;
+    if (span == Span::one_row) return hn::Set(d, *first);
+    if (span == Span::any) return hn::GatherIndex(d, first, rows);
+    return look_up(d, first, rows, span == Span::two_vectors);
   }
 };
 
-/// @param one_vector whether every column is a vector long and no row is beyond it
+/// The rows of a vector of particles.
+/// @param all rows of the table  @param padded whether every column goes on for two vectors beyond
+///   its last row
 template <class D>
-HWY_INLINE LawRows<D> law_rows(D d, const std::int32_t* law, bool one_vector = false) {
-  using Rows = hn::RebindToSigned<D>;
-  hn::Vec<Rows> rows;
+HWY_INLINE LawRows<D> law_rows(D d, const std::int32_t* law, std::size_t all, bool padded) {
+  using R = hn::RebindToSigned<D>;
+  using Span = typename LawRows<D>::Span;
+  const R r;
+  hn::Vec<R> rows;
   if constexpr (sizeof(hn::TFromD<D>) == sizeof(std::int32_t)) {
-    rows = hn::LoadU(Rows(), law);
+    rows = hn::LoadU(r, law);
   } else {
-    rows = hn::PromoteTo(Rows(), hn::LoadU(hn::Rebind<std::int32_t, D>(), law));
+    rows = hn::PromoteTo(r, hn::LoadU(hn::Rebind<std::int32_t, D>(), law));
   }
-  const bool same = hn::AllTrue(Rows(), hn::Eq(rows, hn::Set(Rows(), law[0])));
-  return {d, rows, static_cast<std::size_t>(law[0]), one_vector, same};
+  if (padded && all <= hn::Lanes(d)) return {Span::one_vector, 0, rows};
+  const auto lowest = hn::MinOfLanes(r, rows);
+  const auto first = static_cast<std::size_t>(hn::GetLane(lowest));
+  rows = hn::Sub(rows, lowest);
+  const auto within = [&](std::size_t count) {
+    return hn::AllTrue(r, hn::Lt(rows, hn::Set(r, static_cast<hn::TFromD<R>>(count))));
+  };
+  if (within(1)) return {Span::one_row, first, rows};
+  if (!padded || !within(2 * hn::Lanes(d))) return {Span::any, first, rows};
+  return {within(hn::Lanes(d)) ? Span::one_vector : Span::two_vectors, first, rows};
 }
 
 }  // namespace leda::solver::HWY_NAMESPACE

@@ -6,7 +6,7 @@ namespace leda::solver {
 
 PackLaws pack_laws(const LawTable& table, bool softer) {
   const auto narrow = [](const std::vector<double>& column) {
-    std::vector<Real> result(std::max(column.size(), Pack::lanes));
+    std::vector<Real> result(column.size() + 2 * Pack::lanes);
     std::transform(column.begin(), column.end(), result.begin(),
                    [](double value) { return static_cast<Real>(value); });
     return result;

@@ -95,7 +95,7 @@ HWY_INLINE void update(D d, Pack& p, std::size_t l, const PackLaws& laws, const 
   const PlaneStress<hn::Vec<D>> old{hn::Load(d, p.sxx + l), hn::Load(d, p.szz + l),
                                     hn::Load(d, p.sxz + l), hn::Load(d, p.syy + l)};
   const auto gamma = hn::Load(d, p.plastic_strain + l);
-  const auto row = law_rows(d, p.law + l, laws.rows <= hn::Lanes(d));
+  const auto row = law_rows(d, p.law + l, laws.rows, true);
   const auto moduli = moduli_of(d, p, l, laws, row, hn::Load(d, v[10] + l), scale.area);
   const auto next =
       next_stress<false>(d, row, laws, old, gamma, strain, spin, hn::Set(d, scale.dt), moduli);

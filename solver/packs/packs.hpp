@@ -83,8 +83,8 @@ struct Packs {
   std::vector<PackColumn> column;  ///< of the grid
 };
 
-/// The law table in single precision, without rate and flow. Columns are filled up with zeros to
-/// `Pack::lanes`, so that they can be read as a vector.
+/// The law table in single precision, without rate and flow. Columns go on with zeros for
+/// `2 * Pack::lanes`, so that two vectors can be read from any row on.
 struct PackLaws {
   std::size_t rows = 0;  ///< without the filling
   std::vector<Real> bulk, shear, peak;
