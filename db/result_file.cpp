@@ -23,6 +23,8 @@ Hdf5Handle access_properties() {
   H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
   // Cluster file systems without locks are no reason to fail: a run has one writer.
   H5Pset_file_locking(access, true, true);
+  // A chunk is written once and whole: a cache of chunks would hold up to 1 MB of each field.
+  H5Pset_cache(access, 0, 521, 0, 0);
   return access;
 }
 

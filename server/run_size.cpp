@@ -15,7 +15,7 @@ constexpr double gravity = 9.81;
 constexpr double ns_of_packs = 12, ns_of_reference = 45;
 constexpr db::TypicalRun without_history{0, 40, 0, 0};
 // Bytes of a particle in a frame of fields.h5, deflated, and in the checkpoint.
-constexpr double frame_bytes = 40, checkpoint_bytes = 200;
+constexpr double frame_bytes = 40, checkpoint_bytes = 130;
 constexpr double folder_bytes = 100e3;  // documents, log, profile
 
 double area_above_base(const Section& section) {

@@ -10,7 +10,7 @@ namespace leda::solver {
 
 namespace {
 
-constexpr std::uint64_t format = 0x4c454441'00000005;  // "LEDA", 5
+constexpr std::uint64_t format = 0x4c454441'00000006;  // "LEDA", 6
 
 // The bytes that Writer will write, so that they are asked for once.
 class Counter {
@@ -118,16 +118,17 @@ class Reader {
   bool good_ = true;
 };
 
-// One list for both ways, so that they cannot differ.
+// One list for both ways, so that they cannot differ. What unpack() writes stands in the packs.
 template <class Archive, class Run>
-void transfer_state(Archive& archive, Run& run) {
+void transfer_state(Archive& archive, Run& run, bool packed) {
   auto& p = run.seeded.particles;
-  archive(p.count);
-  for (auto* array :
-       {&p.x, &p.z, &p.vx, &p.vz, &p.cxx, &p.cxz, &p.czx, &p.czz, &p.sxx, &p.szz, &p.sxz, &p.syy,
-        &p.mass, &p.volume, &p.plastic_strain, &p.start_x, &p.start_z}) {
-    archive(*array);
+  if (!packed) {
+    for (auto* array : {&p.x, &p.z, &p.vx, &p.vz, &p.cxx, &p.cxz, &p.czx, &p.czz, &p.sxx, &p.szz,
+                        &p.sxz, &p.syy, &p.volume, &p.plastic_strain}) {
+      archive(*array);
+    }
   }
+  for (auto* array : {&p.mass, &p.start_x, &p.start_z}) archive(*array);
   archive(p.law);
   archive(p.id);
   archive(run.seeded.grid.top);
@@ -153,7 +154,6 @@ void transfer_packs(Archive& archive, Stage& stage) {
   archive(stage.packs.pack);
   archive(stage.packs.place);
   archive(stage.packs.motion);
-  archive(stage.packs.taken);
   archive(stage.packs.strayed);
   archive(stage.packs.group);
   archive(stage.packs.column);
@@ -164,6 +164,16 @@ void transfer_packs(Archive& archive, Stage& stage) {
   archive(stage.rest);
   archive(stage.steps);
   archive(stage.wakes);
+}
+
+void find_taken(Packs& packs) {
+  packs.taken.assign(packs.pack.size(), 0);
+  for (std::size_t i = 0; i < packs.pack.size(); ++i) {
+    for (std::size_t l = 0; l < Pack::lanes; ++l) {
+      if (packs.pack[i].particle[l] < 0) continue;
+      packs.taken[i] = static_cast<LaneBits>(packs.taken[i] | 1U << l);
+    }
+  }
 }
 
 // Whether groups and columns lie within the packs.
@@ -189,7 +199,7 @@ bool groups_fit(const PackedStage& stage) {
 bool packs_fit(const PackedStage& stage, const Particles& particles) {
   const Packs& packs = stage.packs;
   if (packs.count != particles.count || packs.place.size() != packs.pack.size() ||
-      packs.motion.size() != packs.pack.size() || packs.taken.size() != packs.pack.size() ||
+      packs.motion.size() != packs.pack.size() || !stage.kept ||
       packs.strayed.size() != packs.pack.size() || stage.grid.top.size() != stage.grid.columns ||
       stage.grid.mass.size() != (stage.laws.softer ? stage.grid.columns * stage.grid.stride : 0) ||
       stage.rest.size() != groups_of(stage.grid) || !groups_fit(stage)) {
@@ -213,8 +223,9 @@ std::string save_state(const RunState& run) {
   const auto write = [&](auto& archive) {
     archive(format);
     archive(std::uint64_t{run.seeded.laws.rows()});
-    transfer_state(archive, run);
     archive(run.packed.has_value());
+    archive(std::uint64_t{run.seeded.particles.count});
+    transfer_state(archive, run, run.packed.has_value());
     if (run.packed) transfer_packs(archive, *run.packed);
   };
   Counter counter;
@@ -226,29 +237,38 @@ std::string save_state(const RunState& run) {
 
 bool load_state(const std::string& bytes, RunState& run) {
   Reader reader(bytes);
-  std::uint64_t found = 0, rows = 0;
+  std::uint64_t found = 0, rows = 0, count = 0;
+  bool packed = false;
   reader(found);
   reader(rows);
-  if (!reader.good() || found != format || rows != run.seeded.laws.rows()) return false;
-  RunState read = run;
-  transfer_state(reader, read);
-  bool packed = false;
   reader(packed);
+  reader(count);
+  if (!reader.good() || found != format || rows != run.seeded.laws.rows() ||
+      count > run.seeded.particles.count) {
+    return false;
+  }
+  RunState read = run;
+  read.seeded.particles.resize(count);
+  transfer_state(reader, read, packed);
   if (packed) {
     read.packed =
         empty_packed_stage(run.seeded.grid, run.seeded.laws, takes_long_steps(*run.settings));
     transfer_packs(reader, *read.packed);
   }
   const Particles& p = read.seeded.particles;
-  bool fits = reader.at_end() && p.count <= run.seeded.particles.count &&
-              read.seeded.grid.top.size() == run.seeded.grid.top.size();
+  bool fits = reader.at_end() && read.seeded.grid.top.size() == run.seeded.grid.top.size();
   for (const auto* array : read.seeded.particles.arrays()) {
     fits = fits &&
            array->size() == (p.count + Particles::lanes - 1) / Particles::lanes * Particles::lanes;
   }
   fits = fits && p.law.size() == p.x.size() && p.id.size() == p.x.size();
   if (!fits || (packed && !packs_fit(*read.packed, p))) return false;
-  if (packed) spread_all(*read.packed);
+  if (packed) {
+    PackedStage& stage = *read.packed;
+    find_taken(stage.packs);
+    spread_all(stage);
+    unpack(stage.packs, stage.grid, read.seeded.particles);
+  }
   run = std::move(read);
   run.resumed = true;
   return true;

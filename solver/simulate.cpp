@@ -112,6 +112,7 @@ void keep_balance(RunState& run) {
 // What broke a run is no result: the state before it is, and the reason tells both times.
 void fall_back(RunState& run, StageEnd& end, bool moving) {
   const double broke = run.time;
+  if (run.last_good.empty()) run.seeded = seed_particles(*run.section, run.settings->resolution);
   run.time = run.last_good.restore(run.seeded.particles);
   end.reason += moving ? " at " + std::to_string(broke) + " s" : " while the initial stress formed";
   end.reason += "; what is shown is the sound state at " + std::to_string(run.time) + " s";
@@ -150,7 +151,6 @@ RunState start(const Section& section, const RunSettings& settings, const Listen
   run.bank = bank_of(section);
   run.ground = surface(run.seeded);
   run.slides = SlideCount(run.bank.crest.z - run.bank.toe.z, settings.resolution.cell_m);
-  run.last_good.keep(run.seeded.particles, 0);
   return run;
 }
 

@@ -18,13 +18,19 @@ Accelerator::Accelerator(Eigen::Index unknowns, int remembered)
 
 void Accelerator::remember(const Vector& x, const Vector& correction, const Vector& residual) {
   const Eigen::Index at = oldest_;
-  corrections_.col(at) = correction - correction_;
-  moves_.col(at) = x - x_ + corrections_.col(at);
-  residuals_.col(at) = residual - residual_;
+  corrections_.col(at) = (correction - correction_).cast<float>();
+  moves_.col(at) = (x - x_ + correction - correction_).cast<float>();
+  residuals_.col(at) = (residual - residual_).cast<float>();
   kept_ = std::min(kept_ + 1, most_);
   oldest_ = (oldest_ + 1) % most_;
-  gram_.col(at).head(kept_) = residuals_.leftCols(kept_).transpose() * corrections_.col(at);
+  gram_.col(at).head(kept_) = along_residuals(corrections_.col(at).cast<double>());
   gram_.row(at).head(kept_) = gram_.col(at).head(kept_).transpose();
+}
+
+Accelerator::Vector Accelerator::along_residuals(const Vector& v) const {
+  Vector dots(kept_);
+  for (Eigen::Index i = 0; i < kept_; ++i) dots[i] = residuals_.col(i).cast<double>().dot(v);
+  return dots;
 }
 
 Accelerator::Vector Accelerator::next(const Vector& x, const Vector& correction,
@@ -37,9 +43,10 @@ Accelerator::Vector Accelerator::next(const Vector& x, const Vector& correction,
   if (kept_ == 0) return x + correction;
   Eigen::MatrixXd normal = gram_.topLeftCorner(kept_, kept_);
   normal.diagonal().array() += least_independent * normal.diagonal().maxCoeff();
-  const Vector aim = residuals_.leftCols(kept_).transpose() * correction;
-  const Vector share = normal.ldlt().solve(aim);
-  return x + correction - moves_.leftCols(kept_) * share;
+  const Vector share = normal.ldlt().solve(along_residuals(correction));
+  Vector next = x + correction;
+  for (Eigen::Index i = 0; i < kept_; ++i) next -= share[i] * moves_.col(i).cast<double>();
+  return next;
 }
 
 }  // namespace leda::solver

@@ -21,13 +21,15 @@ class Accelerator {
   Vector next(const Vector& x, const Vector& correction, const Vector& residual);
 
  private:
+  Vector along_residuals(const Vector& v) const;
   void remember(const Vector& x, const Vector& correction, const Vector& residual);
 
   Eigen::Index most_, kept_ = 0, oldest_ = 0;
   bool started_ = false;
-  Eigen::MatrixXd moves_;        // differences of x + correction
-  Eigen::MatrixXd corrections_;  // differences of K^-1 r
-  Eigen::MatrixXd residuals_;    // differences of r
+  // Kept in single precision: they only steer, the residual of where they lead to is taken anew.
+  Eigen::MatrixXf moves_;        // differences of x + correction
+  Eigen::MatrixXf corrections_;  // differences of K^-1 r
+  Eigen::MatrixXf residuals_;    // differences of r
   Eigen::MatrixXd gram_;         // residuals_^T corrections_
   Vector x_, correction_, residual_;
 };

@@ -42,6 +42,7 @@ Freedoms number_freedoms(const Grid& grid) {
       Freedom* axes = &freedoms.of[grid.index(i, k) * 2];
       if (!edge) axes[0] = {next++, 1};
       axes[1] = {next++, 1};
+      freedoms.row_of.resize(static_cast<std::size_t>(next), static_cast<std::int32_t>(k));
     }
   }
   freedoms.first[grid.columns - 1] = freedoms.first[grid.columns] = next;

@@ -17,8 +17,9 @@ struct Freedom {
 /// Unknowns run column by column from left to right, upwards in each, x before z: a particle
 /// joins three columns of nodes, so every coupling lies within two columns.
 struct Freedoms {
-  std::vector<Freedom> of;          ///< [columns][rows][2 axes]
-  std::vector<std::int32_t> first;  ///< of each column of the grid, and one past the last
+  std::vector<Freedom> of;           ///< [columns][rows][2 axes]
+  std::vector<std::int32_t> first;   ///< of each column of the grid, and one past the last
+  std::vector<std::int32_t> row_of;  ///< of the node that an unknown moves
 
   std::int32_t count() const { return first.back(); }
   const Freedom* at(const Grid& grid, std::size_t column, std::size_t row) const {

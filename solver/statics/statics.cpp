@@ -59,7 +59,7 @@ std::optional<Statics> Statics::prepare(Particles& particles, Grid& grid, const 
   if (!sort_particles(particles, grid)) return {};
   unbalanced(particles, grid);
   Freedoms freedoms = number_freedoms(grid);
-  if (freedoms.count() == 0 || ColumnMatrix::bytes(freedoms.first) > most_bytes) return {};
+  if (freedoms.count() == 0 || ColumnMatrix::bytes(freedoms) > most_bytes) return {};
   ColumnMatrix factor = elastic_stiffness(particles, laws, grid, freedoms, filling);
   if (!factor.factorize()) return {};
   return Statics(std::move(freedoms), std::move(factor));

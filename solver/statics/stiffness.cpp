@@ -112,7 +112,7 @@ void fill(SpanStiffness& span, double h, double volume, double shear, double bul
 
 ColumnMatrix elastic_stiffness(const Particles& p, const LawTable& laws, const Grid& grid,
                                const Freedoms& freedoms, double filling) {
-  ColumnMatrix matrix(freedoms.first);
+  ColumnMatrix matrix(freedoms);
   const double per_h = 1 / grid.h;
   const auto column = [&](std::size_t i) { return std::floor(p.x[i] * per_h + 0.5); };
   const auto row = [&](std::size_t i) { return std::floor(p.z[i] * per_h + 0.5); };
