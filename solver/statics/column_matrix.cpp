@@ -71,11 +71,13 @@ double ColumnMatrix::bytes(const Freedoms& freedoms) {
 }
 
 Triangle ColumnMatrix::triangle(std::size_t pair) {
-  return {&triangles_[triangle_at_[pair]], middle(pair) - begin(pair), end(pair) - middle(pair)};
+  return {triangles_.data() + triangle_at_[pair], middle(pair) - begin(pair),
+          end(pair) - middle(pair)};
 }
 
 ConstTriangle ColumnMatrix::triangle(std::size_t pair) const {
-  return {&triangles_[triangle_at_[pair]], middle(pair) - begin(pair), end(pair) - middle(pair)};
+  return {triangles_.data() + triangle_at_[pair], middle(pair) - begin(pair),
+          end(pair) - middle(pair)};
 }
 
 std::size_t ColumnMatrix::run_of(std::size_t pair, std::int32_t unknown, std::size_t apart) const {
@@ -86,7 +88,7 @@ std::size_t ColumnMatrix::run_of(std::size_t pair, std::int32_t unknown, std::si
 }
 
 Eigen::Map<const ColumnMatrix::Run> ColumnMatrix::run_values(std::size_t at) const {
-  return Eigen::Map<const Run>(&runs_[at * run]);
+  return Eigen::Map<const Run>(runs_.data() + at * run);
 }
 
 template <class Visit>
@@ -118,6 +120,7 @@ void ColumnMatrix::take_from_next(std::size_t pair) {
   const Index n1 = own.s().cols(), n2 = own.s().rows();
   const Index next = end(pair), next_n1 = middle(pair + 1) - next;
   Eigen::MatrixXf w = Eigen::MatrixXf::Zero(n1 + n2, end(pair + 1) - next);
+  if (w.size() == 0) return;
   for_each_run(pair, [&](std::int32_t u, std::size_t at) {
     const Index from = run_begin_[at] - next, most = std::min<Index>(run, w.cols() - from);
     w.row(u - begin(pair)).segment(from, most) += run_values(at).head(most).transpose();
