@@ -10,8 +10,14 @@
 
 namespace leda::db {
 
-/// HDF5 prints its error stack by itself otherwise; the setting is the thread's own.
-inline void keep_hdf5_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// Before the first use in a thread. HDF5 prints its error stack by itself otherwise; the setting
+/// is the thread's own. When the process exits it would close once more what could not be closed,
+/// and crashes over a file that a full disk left unwritten: what is open is closed here, not there.
+inline void keep_hdf5_quiet() {
+  static const herr_t not_at_exit = H5dont_atexit();
+  static_cast<void>(not_at_exit);  // refused where GDAL has begun HDF5 before: a server writes none
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 /// The innermost message of HDF5's error stack, which names the cause.
 inline std::string hdf5_cause() {

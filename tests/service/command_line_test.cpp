@@ -67,6 +67,21 @@ TEST_F(CommandLine, AProgramWithoutItsCommandsSaysWhatIsMissing) {
   EXPECT_NE(map->errors.find(missing + ": No such file"), std::string::npos) << map->errors;
 }
 
+// 5, and no crash: a server waits for space then, and does not count the try.
+TEST_F(CommandLine, AFileThatCannotBeWrittenEndsARunWithCodeFive) {
+  const std::string out = (folder.path() / "out").string();
+  const std::string simulate =
+      std::string(LEDA_PROGRAM) +
+      " simulate " LEDA_SOURCE_DIR "/tests/data/cases/sainte-monique-AA.json --out " + out;
+  for (const char* most_kib : {"1", "4", "16"}) {
+    std::filesystem::remove_all(out);
+    const auto run =
+        run_program({"bash", "-c", std::string("ulimit -f ") + most_kib + "; " + simulate});
+    EXPECT_EQ(run->exit_code, 5) << most_kib << " KiB: " << run->errors;
+    EXPECT_NE(run->errors.find("File too large"), std::string::npos) << run->errors;
+  }
+}
+
 TEST_F(CommandLine, FaultsOfARegionAreListedWithTheirPointers) {
   json request = bank_region();
   request["inputs"]["resolution"]["cell_m"] = -1;
