@@ -47,7 +47,7 @@ HWY_INLINE bool gather(D d, const Pack& p, const PackPlace& place, std::size_t l
   const auto ax = pack_axis(d, x), az = pack_axis(d, z);
   auto v = pack_velocity(d, grid.velocity_at(place.column, place.row + l % Pack::rows), grid.stride,
                          ax, az);
-  auto seen = seen_mass(d, grid, place.column, place.row + l, ax, az);
+  auto seen = seen_mass(d, grid, place.column, place.row + l % Pack::rows, ax, az);
   const auto stray = strays(d, x, z, mass);
   bool inside = true;
   if (HWY_UNLIKELY(!hn::AllFalse(d, stray))) {
