@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/law_table.hpp"
-#include "solver/time_step.hpp"
+#include "solver/kernel/time_step.hpp"
+#include "solver/materials/law_table.hpp"
 
 namespace leda::server {
 namespace {
 
 constexpr double gravity = 9.81;
-// Measured on one core of a server processor (solver/packs/README.md): packs take 8 to 13 ns, the
+// Measured on one core of a server processor (solver/kernel/README.md): packs take 8 to 13 ns, the
 // reference 40 to 50.
 constexpr double ns_of_packs = 12, ns_of_reference = 45;
 constexpr db::TypicalRun without_history{0, 40, 0, 0};

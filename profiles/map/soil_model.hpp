@@ -19,7 +19,7 @@ struct SoilModel {
   std::optional<double> base_m;           ///< elevation of the model's base
   /// Used where base_m is absent: below the toe, or below the lowest ground where that is lower.
   double base_below_toe_m = 5;
-  std::vector<MapPolygon> where;          ///< empty: everywhere no other model applies
+  std::vector<MapPolygon> where;  ///< empty: everywhere no other model applies
 };
 
 }  // namespace leda

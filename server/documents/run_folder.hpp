@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "server/documents/whole_file.hpp"
+#include "solver/run/simulate.hpp"
 #include "solver/section/section_result.hpp"
 #include "solver/section/validate.hpp"
-#include "solver/simulate.hpp"
 
 namespace leda::server {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "server/documents/study_file.hpp"
-#include "solver/study.hpp"
+#include "solver/study/study.hpp"
 
 namespace leda::server {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "server/documents/case_file.hpp"
-#include "solver/study.hpp"
+#include "solver/study/study.hpp"
 
 namespace leda::server {
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "solver/element_test/dissipation.hpp"
-#include "solver/sort_particles.hpp"
-#include "solver/transfer.hpp"
+#include "solver/kernel/sort_particles.hpp"
+#include "solver/kernel/transfer.hpp"
 
 namespace leda::solver {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "solver/extremes/finite.hpp"
+#include "solver/run/simulate.hpp"
 #include "solver/section/crest_and_toe.hpp"
 #include "solver/section/fault_list.hpp"
 #include "solver/section/validate.hpp"
-#include "solver/simulate.hpp"
 
 namespace leda::solver {
 

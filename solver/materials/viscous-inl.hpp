@@ -10,8 +10,8 @@
 
 #include "hwy/contrib/math/math-inl.h"
 #include "hwy/highway.h"
-#include "solver/law_table.hpp"
 #include "solver/materials/law_rows-inl.hpp"
+#include "solver/materials/law_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace leda::solver::HWY_NAMESPACE {

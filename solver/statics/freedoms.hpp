@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/grid.hpp"
+#include "solver/kernel/grid.hpp"
 
 namespace leda::solver {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/kernel/sort_particles.hpp"
+#include "solver/kernel/transfer.hpp"
 #include "solver/section/section.hpp"
-#include "solver/sort_particles.hpp"
 #include "solver/statics/accelerator.hpp"
 #include "solver/statics/stiffness.hpp"
-#include "solver/transfer.hpp"
 
 namespace leda::solver {
 

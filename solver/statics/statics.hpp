@@ -4,9 +4,9 @@
 #include <functional>
 #include <optional>
 
-#include "solver/grid_update.hpp"
-#include "solver/law_table.hpp"
-#include "solver/particles.hpp"
+#include "solver/kernel/grid_update.hpp"
+#include "solver/kernel/particles.hpp"
+#include "solver/materials/law_table.hpp"
 #include "solver/statics/column_matrix.hpp"
 #include "solver/statics/freedoms.hpp"
 

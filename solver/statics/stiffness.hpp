@@ -1,8 +1,8 @@
 #pragma once
 // Elastic stiffness of the ground as the transfers of the solver see it, positions held.
 
-#include "solver/law_table.hpp"
-#include "solver/particles.hpp"
+#include "solver/kernel/particles.hpp"
+#include "solver/materials/law_table.hpp"
 #include "solver/statics/column_matrix.hpp"
 #include "solver/statics/freedoms.hpp"
 

@@ -38,7 +38,8 @@ TEST(HouseRules, LedaKeepsThem) {
 TEST(HouseRules, AMadeUpTreeThatKeepsThemHasNoBreach) {
   SourceTree tree;
   tree["solver/section/point.hpp"] = "#include <vector>\n";
-  tree["solver/step.cpp"] = include("solver/section/point.hpp") + "#include <hwy/highway.h>\n";
+  tree["solver/kernel/step.cpp"] =
+      include("solver/section/point.hpp") + "#include <hwy/highway.h>\n";
   tree["profiles/map/line.hpp"] = include("solver/section/point.hpp") + "#include <string>\n";
   tree["profiles/dem.hpp"] = include("profiles/map/line.hpp");
   tree["profiles/gdal_handle.hpp"] = "#include <gdal_priv.h>\n";
@@ -46,7 +47,7 @@ TEST(HouseRules, AMadeUpTreeThatKeepsThemHasNoBreach) {
   tree["db/store.hpp"] = include("profiles/map/line.hpp") + include("solver/section/point.hpp");
   tree["db/store.cpp"] = include("db/store.hpp") + "#include <SQLiteCpp/SQLiteCpp.h>\n";
   tree["server/main.cpp"] = include("db/store.hpp") + include("profiles/dem.hpp") +
-                            include("solver/step.hpp") + "#include <httplib.h>\n";
+                            include("solver/kernel/step.hpp") + "#include <httplib.h>\n";
   tree["tests/db/store_test.cpp"] = include("db/store.hpp") + "#include <sqlite3.h>\n";
   tree["README.md"] = "See https://example.org/root/ and ${HOME}/work/ for more.\n";
   for (const Breach& breach : all_breaches(tree)) ADD_FAILURE() << breach;
@@ -69,14 +70,14 @@ TEST_P(WrongDirection, IsNoticed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Rooms, WrongDirection,
-                         ::testing::Values(Wrong{"solver/step.cpp", "profiles/map/line.hpp"},
-                                           Wrong{"solver/step.hpp", "db/store.hpp"},
+                         ::testing::Values(Wrong{"solver/kernel/step.cpp", "profiles/map/line.hpp"},
+                                           Wrong{"solver/kernel/step.hpp", "db/store.hpp"},
                                            Wrong{"solver/section/a.hpp", "server/problem.hpp"},
-                                           Wrong{"profiles/dem.cpp", "solver/step.hpp"},
+                                           Wrong{"profiles/dem.cpp", "solver/kernel/step.hpp"},
                                            Wrong{"profiles/dem.cpp",
                                                  "solver/materials/softening.hpp"},
                                            Wrong{"profiles/dem.cpp", "db/store.hpp"},
-                                           Wrong{"db/store.cpp", "solver/simulate.hpp"},
+                                           Wrong{"db/store.cpp", "solver/run/simulate.hpp"},
                                            Wrong{"db/store.cpp", "profiles/dem.hpp"},
                                            Wrong{"db/store.cpp", "server/problem.hpp"},
                                            Wrong{"server/main.cpp", "tests/db/samples.hpp"},
@@ -90,17 +91,19 @@ TEST(HouseRules, BracketsAndSpacesDoNotHideAnInclude) {
 }
 
 TEST(HouseRules, AnIncludeFromItsOwnFolderIsNoticed) {
-  SourceTree tree = with("solver/grid.hpp", "");
+  SourceTree tree = with("solver/kernel/grid.hpp", "");
   tree["solver/materials/a.hpp"] = "";
-  EXPECT_EQ(wrong_directions(with("solver/step.cpp", include("grid.hpp"), tree)).size(), 1U);
+  EXPECT_EQ(wrong_directions(with("solver/kernel/step.cpp", include("grid.hpp"), tree)).size(), 1U);
   EXPECT_EQ(wrong_directions(with("solver/materials/b.cpp", include("../grid.hpp"), tree)).size(),
             1U);
-  EXPECT_TRUE(wrong_directions(with("solver/step.cpp", include("solver/grid.hpp"), tree)).empty());
+  EXPECT_TRUE(
+      wrong_directions(with("solver/kernel/step.cpp", include("solver/kernel/grid.hpp"), tree))
+          .empty());
 }
 
 TEST(HouseRules, APorchThatStandsOnMoreIsNoticed) {
   for (const std::string& text :
-       {include("solver/step.hpp"), std::string("#include <nlohmann/json.hpp>\n"),
+       {include("solver/kernel/step.hpp"), std::string("#include <nlohmann/json.hpp>\n"),
         std::string("#include <unistd.h>\n"), include("profiles/dem.hpp")}) {
     EXPECT_EQ(porches_with_walls(with("solver/section/a.hpp", text)).size(), 1U) << text;
     EXPECT_EQ(porches_with_walls(with("profiles/map/a.hpp", text)).size(), 1U) << text;

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "solver/initial_stress.hpp"
+#include "solver/run/initial_stress.hpp"
 #include "tests/bench/sliding_bank.hpp"
 
 namespace {

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdio>
 
-#include "solver/packs/packed_stage.hpp"
-#include "solver/seed_particles.hpp"
-#include "solver/sort_particles.hpp"
-#include "solver/time_step.hpp"
+#include "solver/kernel/packed_stage.hpp"
+#include "solver/kernel/sort_particles.hpp"
+#include "solver/kernel/time_step.hpp"
+#include "solver/run/seed_particles.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace {

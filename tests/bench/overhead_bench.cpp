@@ -10,7 +10,7 @@
 #include "db/result_file.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/result_document.hpp"
-#include "solver/simulate.hpp"
+#include "solver/run/simulate.hpp"
 #include "tests/db/frames.hpp"
 #include "tests/db/samples.hpp"
 #include "tests/server/run_fixture.hpp"

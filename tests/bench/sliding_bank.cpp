@@ -2,8 +2,8 @@
 
 #include <map>
 
-#include "solver/initial_stress.hpp"
-#include "solver/softening_stage.hpp"
+#include "solver/run/initial_stress.hpp"
+#include "solver/run/softening_stage.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::bench {

@@ -1,7 +1,7 @@
 #pragma once
 // The bank the benchmarks of the solver step.
 
-#include "solver/run_state.hpp"
+#include "solver/run/run_state.hpp"
 
 namespace leda::solver::bench {
 

@@ -6,10 +6,10 @@
 
 #include <ctime>
 
-#include "solver/initial_stress.hpp"
-#include "solver/packs/packed_stage.hpp"
-#include "solver/sort_particles.hpp"
-#include "solver/time_step.hpp"
+#include "solver/kernel/packed_stage.hpp"
+#include "solver/kernel/sort_particles.hpp"
+#include "solver/kernel/time_step.hpp"
+#include "solver/run/initial_stress.hpp"
 #include "tests/bench/sliding_bank.hpp"
 
 namespace {

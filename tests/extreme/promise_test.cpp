@@ -8,7 +8,7 @@
 #include "solver/extremes/banks.hpp"
 #include "solver/extremes/finite.hpp"
 #include "solver/extremes/try_case.hpp"
-#include "solver/simulate.hpp"
+#include "solver/run/simulate.hpp"
 
 namespace leda::solver::test {
 namespace {

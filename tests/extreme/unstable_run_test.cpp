@@ -7,7 +7,7 @@
 
 #include "solver/extremes/banks.hpp"
 #include "solver/extremes/finite.hpp"
-#include "solver/simulate.hpp"
+#include "solver/run/simulate.hpp"
 
 namespace leda::solver::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "solver/audit.hpp"
+#include "solver/run/audit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <limits>
 
-#include "solver/sort_particles.hpp"
-#include "solver/step.hpp"
+#include "solver/kernel/sort_particles.hpp"
+#include "solver/kernel/step.hpp"
 
 namespace leda::solver::test {
 

@@ -1,4 +1,4 @@
-#include "solver/checkpoint.hpp"
+#include "solver/run/checkpoint.hpp"
 
 #include <gtest/gtest.h>
 

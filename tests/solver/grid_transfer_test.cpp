@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "solver/audit.hpp"
+#include "solver/run/audit.hpp"
 #include "tests/solver/block.hpp"
 
 namespace leda::solver::test {

@@ -1,7 +1,7 @@
 // The direct static solve of the quiet stages against the dynamic relaxation, which is the
 // reference. Where a test compares the two it also asks for the balance itself: the weight is
 // carried to a millionth, a hundred times better than the relaxation asks for.
-#include "solver/initial_stress.hpp"
+#include "solver/run/initial_stress.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/sort_particles.hpp"
+#include "solver/kernel/sort_particles.hpp"
+#include "solver/kernel/transfer.hpp"
 #include "solver/statics/statics.hpp"
 #include "solver/statics/stiffness.hpp"
-#include "solver/transfer.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {

@@ -1,4 +1,4 @@
-#include "solver/last_good.hpp"
+#include "solver/run/last_good.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "hwy/targets.h"
-#include "solver/packs/packed_stage.hpp"
+#include "solver/kernel/packed_stage.hpp"
 #include "tests/solver/moving_bank.hpp"
 
 namespace leda::solver::test {

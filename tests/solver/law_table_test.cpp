@@ -1,4 +1,4 @@
-#include "solver/law_table.hpp"
+#include "solver/materials/law_table.hpp"
 
 #include <gtest/gtest.h>
 

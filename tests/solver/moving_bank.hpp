@@ -8,10 +8,10 @@
 #include <random>
 #include <vector>
 
-#include "solver/packs/pack_grid.hpp"
-#include "solver/packs/packs.hpp"
-#include "solver/seed_particles.hpp"
-#include "solver/sort_particles.hpp"
+#include "solver/kernel/pack_grid.hpp"
+#include "solver/kernel/packs.hpp"
+#include "solver/kernel/sort_particles.hpp"
+#include "solver/run/seed_particles.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {

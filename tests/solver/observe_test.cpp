@@ -1,10 +1,10 @@
-#include "solver/observe.hpp"
+#include "solver/run/observe.hpp"
 
 #include <gtest/gtest.h>
 
 #include <ranges>
 
-#include "solver/simulate.hpp"
+#include "solver/run/simulate.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {

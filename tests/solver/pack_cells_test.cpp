@@ -6,9 +6,9 @@
 #include <limits>
 #include <random>
 
-#include "solver/packs/pack.hpp"
-#include "solver/packs/packed_surface.hpp"
-#include "solver/packs/rehome.hpp"
+#include "solver/kernel/pack.hpp"
+#include "solver/kernel/rehome.hpp"
+#include "solver/run/packed_surface.hpp"
 #include "tests/solver/moving_bank.hpp"
 
 namespace leda::solver::test {

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "hwy/targets.h"
-#include "solver/packs/packed_stage.hpp"
-#include "solver/simulate.hpp"
+#include "solver/kernel/packed_stage.hpp"
+#include "solver/run/simulate.hpp"
 #include "tests/solver/bank.hpp"
 #include "tests/solver/moving_bank.hpp"
 

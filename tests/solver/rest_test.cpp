@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "solver/checkpoint.hpp"
-#include "solver/packs/packed_stage.hpp"
-#include "solver/simulate.hpp"
+#include "solver/kernel/packed_stage.hpp"
+#include "solver/run/checkpoint.hpp"
+#include "solver/run/simulate.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {

@@ -1,4 +1,4 @@
-#include "solver/seed_particles.hpp"
+#include "solver/run/seed_particles.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/simulate.hpp"
+#include "solver/run/simulate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/packs/packed_stage.hpp"
+#include "solver/kernel/packed_stage.hpp"
 #include "tests/solver/block.hpp"
 
 namespace leda::solver::test {

@@ -1,4 +1,4 @@
-#include "solver/sort_particles.hpp"
+#include "solver/kernel/sort_particles.hpp"
 
 #include <gtest/gtest.h>
 

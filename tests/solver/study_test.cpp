@@ -1,4 +1,4 @@
-#include "solver/study.hpp"
+#include "solver/study/study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/trigger.hpp"
+#include "solver/run/trigger.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 #include <cstdio>
 #include <string>
 
+#include "solver/run/simulate.hpp"
 #include "solver/screening/decide.hpp"
 #include "solver/section/validate.hpp"
-#include "solver/simulate.hpp"
 #include "tests/validation/generated_sections.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "solver/simulate.hpp"
+#include "solver/run/simulate.hpp"
 #include "tests/verification/record.hpp"
 
 namespace leda::solver::test {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/simulate.hpp"
+#include "solver/run/simulate.hpp"
 #include "tests/element/table.hpp"
 #include "tests/verification/record.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "solver/simulate.hpp"
+#include "solver/run/simulate.hpp"
 
 namespace leda::solver::test {
 

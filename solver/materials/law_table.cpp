@@ -1,0 +1,138 @@
+#include "solver/materials/law_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "solver/materials/softening.hpp"
+
+namespace leda::solver {
+
+namespace {
+constexpr int strength_steps = 1000;  // of the largest strength: a rounding of at most 0.05 %
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double locking_ratio =  // K / G
+    2 * (1 + locking_poisson_ratio) / (3 * (1 - 2 * locking_poisson_ratio));
+constexpr double beyond_reach = 1e30;  // Pa: no stress gets there
+constexpr double no_rate = 1e-300;     // of the reference: its logarithm is still a number
+
+SofteningCurve perfectly_plastic(double peak) {
+  SofteningCurve curve;
+  curve.peak = curve.floor = peak;
+  curve.exp_end = curve.line_end = endless;
+  return curve;
+}
+
+struct RateRow {
+  double base = 1, log_share = 0, power_share = 0, exponent = 0, least = 1, reference = 1;
+};
+
+RateRow rate_row(const SemiLogarithmicRate& law) {
+  return {.log_share = law.per_decade / std::numbers::ln10, .reference = law.reference_rate};
+}
+RateRow rate_row(const PowerRate& law) {
+  return {.base = 0, .power_share = 1, .exponent = law.exponent, .reference = law.reference_rate};
+}
+RateRow rate_row(const AdditivePowerRate& law) {
+  return {.power_share = law.viscosity,
+          .exponent = law.exponent,
+          .least = no_rate,
+          .reference = law.reference_rate};
+}
+
+double p_wave_speed(const Material& m) {
+  const double bulk = m.youngs_modulus_Pa() / (3 * (1 - 2 * m.poisson_ratio));
+  return std::sqrt((bulk + 4.0 / 3.0 * m.shear_modulus_Pa) / (m.unit_weight / gravity));
+}
+}  // namespace
+
+SofteningCurve LawTable::curve(std::size_t row) const {
+  return {peak[row],    floor[row],      amplitude[row], rate[row],
+          exp_end[row], line_start[row], line_end[row],  last[row]};
+}
+
+LawTableBuilder::LawTableBuilder(const Section& section, double cell_m) : cell_m_(cell_m) {
+  for (const auto& [name, material] : section.materials) {
+    materials_.push_back(&material);
+    viscous_ = viscous_ || is_viscous(material);
+    rows_.emplace_back(strength_steps + 1, -1);
+  }
+}
+
+std::int32_t LawTableBuilder::row(std::size_t material_index, double depth_m, double elevation_m) {
+  const Strength& strength = materials_[material_index]->peak_strength;
+  const double largest = strength.largest();
+  const double step = strength.at(depth_m, elevation_m) / largest * strength_steps;
+  const auto bin = static_cast<std::size_t>(std::clamp(std::lround(step), 1L, 1L * strength_steps));
+  std::int32_t& known = rows_[material_index][bin];
+  if (known < 0) known = add(material_index, largest * static_cast<double>(bin) / strength_steps);
+  return known;
+}
+
+std::int32_t LawTableBuilder::add(std::size_t material_index, double peak) {
+  const Material& m = *materials_[material_index];
+  SofteningCurve curve = perfectly_plastic(peak);
+  if (m.softening) curve = softening_curve(*m.softening, peak, cell_m_);
+  LawTable& t = table_;
+  t.bulk.push_back(m.youngs_modulus_Pa() / (3 * (1 - 2 * m.poisson_ratio)));
+  t.shear.push_back(m.shear_modulus_Pa);
+  t.peak.push_back(peak);
+  t.floor.push_back(curve.floor);
+  t.amplitude.push_back(curve.amplitude);
+  t.rate.push_back(curve.rate);
+  t.exp_end.push_back(curve.exp_end);
+  t.line_start.push_back(curve.line_start);
+  const double length = curve.line_end - curve.exp_end;
+  const bool has_line = std::isfinite(length) && length > 0;
+  t.line_slope.push_back(has_line ? (curve.last - curve.line_start) / length : 0.0);
+  t.line_end.push_back(curve.line_end);
+  t.last.push_back(curve.last);
+  t.softens.push_back(m.softening ? 1 : 0);
+  t.material.push_back(static_cast<std::int32_t>(material_index));
+  if (viscous_) add_viscous(m);
+  t.stiffest_speed = std::max(t.stiffest_speed, p_wave_speed(m));
+  return static_cast<std::int32_t>(t.rows() - 1);
+}
+
+void LawTableBuilder::add_viscous(const Material& m) {
+  RateRow row;
+  if (m.rate) row = std::visit([](const auto& law) { return rate_row(law); }, *m.rate);
+  ViscousLaws& v = table_.viscous;
+  v.base.push_back(row.base);
+  v.log_share.push_back(row.log_share);
+  v.power_share.push_back(row.power_share);
+  v.exponent.push_back(row.exponent);
+  v.least.push_back(row.least);
+  v.reference.push_back(row.reference);
+  HerschelBulkleyFlow flow;
+  if (m.flow) {
+    const auto* bingham = std::get_if<BinghamFlow>(&*m.flow);
+    flow = bingham ? HerschelBulkleyFlow{bingham->viscosity_Pa_s, 1}
+                   : std::get<HerschelBulkleyFlow>(*m.flow);
+  }
+  v.consistency.push_back(flow.consistency_Pa_sn);
+  v.flow_exponent.push_back(flow.exponent);
+}
+
+bool nearly_incompressible(const LawTable& table) {
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.bulk[row] > locking_ratio * table.shear[row]) return true;
+  }
+  return false;
+}
+
+LawTable without_softening(const LawTable& table, bool elastic) {
+  LawTable result = table;
+  std::fill(result.softens.begin(), result.softens.end(), 0);
+  if (elastic) std::fill(result.peak.begin(), result.peak.end(), beyond_reach);
+  result.viscous = {};
+  result.floor = result.peak;
+  std::fill(result.amplitude.begin(), result.amplitude.end(), 0.0);
+  std::fill(result.exp_end.begin(), result.exp_end.end(), endless);
+  std::fill(result.line_end.begin(), result.line_end.end(), endless);
+  return result;
+}
+
+}  // namespace leda::solver
