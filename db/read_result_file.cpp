@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "db/frame_fields.hpp"
+#include "solver/section/frame.hpp"
 #include "db/hdf5_handle.hpp"
 #include "db/result_file.hpp"
 #include "solver/section/validate.hpp"

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "db/frame_fields.hpp"
+#include "solver/section/frame.hpp"
 #include "db/hdf5_handle.hpp"
 #include "db/new_file.hpp"
 

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "db/frame_fields.hpp"
+#include "solver/section/frame.hpp"
 #include "db/new_file.hpp"
 
 namespace leda::db {

@@ -29,10 +29,7 @@ std::string read_all(const fs::path& file) {
 // Every array of a frame, in one fixed order.
 template <class F, class Visit>
 void for_each_array(F& f, Visit visit) {
-  for (auto* array : {&f.x, &f.z, &f.velocity_x, &f.velocity_z, &f.stress_xx, &f.stress_zz,
-                      &f.stress_xz, &f.stress_yy, &f.plastic_strain, &f.strength, &f.volume}) {
-    visit(*array);
-  }
+  for (const FrameField& field : frame_fields) visit(f.*field.values);
   visit(f.material);
 }
 

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "solver/element_test/dissipation.hpp"
-#include "solver/kernel/sort_particles.hpp"
-#include "solver/kernel/transfer.hpp"
+#include "solver/kernel/model.hpp"
 
 namespace leda::solver {
 namespace {
@@ -31,39 +29,37 @@ LawTable law_of(const Material& material, double peak_Pa, double cell_m) {
 Particles specimen(const Material& material, const ParticleShear& test) {
   const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(test.particles_per_cell))));
   const double spacing = test.cell_m / side;
-  Particles p;
-  p.resize(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+  Particles particles;
   for (int i = 0; i < side * side; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const int column = i / side, row = i % side;
-    p.x[k] = test.cell_m + (column + 0.5) * spacing;
-    p.z[k] = test.cell_m + (row + 0.5) * spacing;
-    p.volume[k] = spacing * spacing;
-    p.mass[k] = p.volume[k] * material.unit_weight / gravity;
-    p.szz[k] = -test.vertical_stress_Pa;
-    p.sxx[k] = p.syy[k] = -material.k0 * test.vertical_stress_Pa;
-    p.id[k] = i;
+    Particle p;
+    p.x = test.cell_m + (i / side + 0.5) * spacing;
+    p.z = test.cell_m + (i % side + 0.5) * spacing;
+    p.volume = spacing * spacing;
+    p.mass = p.volume * material.unit_weight / gravity;
+    p.szz = -test.vertical_stress_Pa;
+    p.sxx = p.syy = -material.k0 * test.vertical_stress_Pa;
+    p.id = i;
+    particles.push_back(p);
   }
-  p.fill_padding();
-  return p;
+  return particles;
 }
 
 /// Simple shear at every node: v_x = rate z, v_z = 0.
-void move_nodes(Grid& grid, double rate) {
+void move_nodes(Grid<double>& grid, double rate) {
   for (std::size_t i = 0; i < grid.columns; ++i) {
     for (std::size_t k = 0; k < grid.rows; ++k) {
-      grid.velocity[2 * grid.index(i, k)] = rate * (static_cast<double>(k) - 1) * grid.h;
+      *grid.velocity_at(i, k) = rate * (static_cast<double>(k) - 1) * grid.h;
     }
   }
 }
 
-double mean(const std::vector<double>& values, std::size_t count) {
-  return std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count), 0.0) /
-         static_cast<double>(count);
-}
-
-DssPoint state(const Particles& p, double strain) {
-  return {strain, mean(p.sxz, p.count), mean(p.plastic_strain, p.count)};
+DssPoint state(const Packs<double>& packs, double strain) {
+  DssPoint mean{strain, 0, 0};
+  for_each_point(packs, [&](std::size_t i, std::size_t l) {
+    mean.stress_Pa += packs.pack[i].sxz[l] / static_cast<double>(packs.count);
+    mean.plastic_strain += packs.pack[i].plastic_strain[l] / static_cast<double>(packs.count);
+  });
+  return mean;
 }
 
 /// Small enough that strength, which is taken at the start of a step, lags by a five hundredth of
@@ -86,18 +82,20 @@ DssCurve dss_of_particles(const Material& material, double peak_Pa, const Partic
   const LawTable laws = law_of(material, peak_Pa, test.cell_m);
   const SofteningCurve law = material.softening ? laws.curve(0) : perfectly_plastic(peak_Pa);
   const double end = test.max_strain.value_or(default_max_strain(law, material.shear_modulus_Pa));
-  Particles particles = specimen(material, test);
-  Grid grid = make_grid(test.cell_m, 3 * test.cell_m, 3 * test.cell_m);
-  if (!sort_particles(particles, grid)) throw std::logic_error("a specimen outside its grid");
-  move_nodes(grid, test.rate);
+  auto model = make_model<double>(specimen(material, test),
+                                  grid_over(test.cell_m, 3 * test.cell_m, 3 * test.cell_m), laws);
+  if (!model) throw std::logic_error("a specimen outside its grid");
+  ThreadTeam team(1);
+  move_nodes(model->grid, test.rate);
   DssCurve curve{.height_m = test.cell_m,
-                 .points = {state(particles, 0)},
+                 .points = {state(model->packs, 0)},
                  .snaps_back = steepest_loss(law) > material.shear_modulus_Pa};
   DssPoint now = curve.points.back();
   while (now.strain < end) {
     const double step = std::min(step_of(law, now.plastic_strain), end - now.strain);
-    grid_to_particles(particles, grid, laws, step / test.rate, false);
-    now = state(particles, now.strain + step);
+    move_points(*model, {step / test.rate, 0, 0, false}, false, team);
+    std::ranges::fill(model->grid.sums, 0.0);  // nothing of them is used
+    now = state(model->packs, now.strain + step);
     if (end - now.strain < 1e-12 * end) now.strain = end;
     if (now.strain >= end || worth_keeping(now, curve.points.back(), peak_Pa)) {
       curve.points.push_back(now);

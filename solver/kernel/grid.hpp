@@ -1,41 +1,77 @@
 #pragma once
-// The background grid: nodes on squares of side h, columns of nodes contiguous in memory.
+// The background grid: sums and velocities by column, each value a run of memory.
 
 #include <cstddef>
 #include <vector>
 
+#include "solver/kernel/packs.hpp"
+
 namespace leda::solver {
 
-/// Node (i, k) lies at ((i - 1) h, (k - 1) h) from the model's lower left corner: one layer of
-/// image nodes lies outside the base and the sides (see boundary.hpp). All of a node's values
-/// stand side by side, so that the three nodes a particle sees in one column are one run of
-/// memory.
-struct Grid {
-  static constexpr std::size_t width = 5;  ///< mass, momentum x z, force x z
-
-  double h = 0;
-  std::size_t columns = 0;       ///< with both image columns
-  std::size_t rows = 0;          ///< with the image row at the base
-  std::vector<double> node;      ///< [columns][rows][width] and padding
-  std::vector<double> velocity;  ///< [columns][rows][2] and padding, after the step
-  std::vector<std::size_t> top;  ///< rows in use in each column, set when particles are sorted
-  /// Sums over the particles of a span, the square h x h that sees the same nine nodes, numbered
-  /// by its lowest node: [columns][rows][3] volume, pressure, dilation. Empty: nothing is averaged.
-  std::vector<double> span;
-
-  bool averages() const { return !span.empty(); }
-  std::size_t index(std::size_t column, std::size_t row) const { return column * rows + row; }
-  double* at(std::size_t column, std::size_t row) { return &node[index(column, row) * width]; }
+/// How large a grid is.
+struct GridSize {
+  double h = 0;             ///< side of a cell, m
+  std::size_t columns = 0;  ///< of nodes, with both columns of ghost nodes
+  std::size_t rows = 0;     ///< of nodes, with the ghost row at the base
 };
 
-/// A grid over length x height (metres), whole cells, with room above.
-Grid make_grid(double h, double length, double height);
+/// A grid over length x height (metres), whole cells.
+GridSize grid_over(double h, double length, double height);
 
-/// From here on dilation and pressure are averaged over each span (solver/README.md, "Nearly
-/// incompressible ground").
-void average_spans(Grid& grid);
+/// Node (i, k) lies at ((i - 1) h, (k - 1) h) from the model's lower left corner: one layer of
+/// ghost nodes lies outside the base and the sides. What points in home row k give to node row
+/// k + j stands in plane j at k, so that a pack adds to aligned places that no other home row
+/// touches; the three planes of a value are added up when the nodes are updated.
+template <class Real>
+struct Grid {
+  /// What points give to nodes.
+  enum Value : std::size_t { mass_sum, momentum_x, momentum_z, force_x, force_z, values };
+  static constexpr std::size_t planes = 3;
+  static constexpr std::size_t lead = 8;  ///< zeros below row 0
 
-/// Sets the nodes and spans in use to zero.
-void clear(Grid& grid);
+  double h = 0;
+  std::size_t columns = 0, rows = 0;
+  std::size_t stride = 0;        ///< of a plane
+  std::vector<Real> sums;        ///< [columns][values][planes][stride]
+  std::vector<Real> velocity;    ///< [columns][x z][stride]
+  std::vector<std::size_t> top;  ///< rows in use in each column
+  std::vector<Real> mass;        ///< [columns][stride] of the last update; empty where not kept
+  std::vector<Real> force;       ///< [columns][x z][stride], unbalanced; empty where not kept
+  /// Sums over the points of a span, the square h x h whose points see the same nine nodes,
+  /// numbered by its lowest node: [columns][volume, mean of a value times volume][stride]. Empty:
+  /// dilation is not averaged.
+  std::vector<Real> span;
+
+  bool averages() const { return !span.empty(); }
+
+  Real* sums_at(std::size_t column, std::size_t row) {
+    return &sums[column * values * planes * stride + lead + row];
+  }
+  Real* velocity_at(std::size_t column, std::size_t row) {
+    return &velocity[column * 2 * stride + lead + row];
+  }
+  Real* mass_at(std::size_t column, std::size_t row) { return &mass[column * stride + lead + row]; }
+  Real* force_at(std::size_t column, std::size_t row) {
+    return &force[column * 2 * stride + lead + row];
+  }
+  Real* span_at(std::size_t column, std::size_t row) {
+    return &span[column * 2 * stride + lead + row];
+  }
+};
+
+/// What a grid holds beside what every step needs.
+struct GridExtras {
+  bool mass = false;      ///< of the nodes, as points see it
+  bool force = false;     ///< unbalanced, and its sums
+  bool averages = false;  ///< dilation and mean stress are averaged over spans (B-bar)
+};
+
+template <class Real>
+Grid<Real> make_grid(const GridSize& size, const GridExtras& extras = {});
+
+/// Groups of columns there are.
+inline std::size_t groups_of(std::size_t columns) {
+  return (columns + columns_of_a_group - 1) / columns_of_a_group;
+}
 
 }  // namespace leda::solver

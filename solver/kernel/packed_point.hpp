@@ -1,55 +1,61 @@
 #pragma once
-// One point of a pack by itself.
+// One point of a pack by itself, on its way to another pack.
 
 #include "solver/kernel/packs.hpp"
 
 namespace leda::solver {
 
-/// As in Pack.
+/// What a lane holds, by the tables of points.hpp.
+template <class Real>
 struct PackedPoint {
-  Real x, z, sxx, szz, sxz, syy, mass, volume, plastic_strain, plastic_rest;
-  std::int32_t law, particle;
+  std::array<Real, point_numbers<Real>.size()> number{};
+  std::array<Real, motion_numbers<Real>.size()> motion{};
+  std::int32_t law = 0, id = -1;
 };
 
 /// A point and its home cell.
+template <class Real>
 struct PointAtHome {
   PackPlace home;
-  PackedPoint point;
+  PackedPoint<Real> point;
 };
 
-inline PackedPoint point_at(const Pack& p, std::size_t l) {
-  return {p.x[l],
-          p.z[l],
-          p.sxx[l],
-          p.szz[l],
-          p.sxz[l],
-          p.syy[l],
-          p.mass[l],
-          p.volume[l],
-          p.plastic_strain[l],
-          p.plastic_rest[l],
-          p.law[l],
-          p.particle[l]};
+template <class Real>
+PackedPoint<Real> take_point(const Pack<Real>& pack, const PackMotion<Real>& motion,
+                             std::size_t lane) {
+  PackedPoint<Real> p;
+  for (std::size_t n = 0; n < p.number.size(); ++n) {
+    p.number[n] = (pack.*point_numbers<Real>[n].lane)[lane];
+  }
+  for (std::size_t n = 0; n < p.motion.size(); ++n) {
+    p.motion[n] = (motion.*motion_numbers<Real>[n].lane)[lane];
+  }
+  p.law = pack.law[lane];
+  p.id = pack.id[lane];
+  return p;
 }
 
-inline void put_point(const PackedPoint& point, Pack& p, std::size_t l) {
-  p.x[l] = point.x;
-  p.z[l] = point.z;
-  p.sxx[l] = point.sxx;
-  p.szz[l] = point.szz;
-  p.sxz[l] = point.sxz;
-  p.syy[l] = point.syy;
-  p.mass[l] = point.mass;
-  p.volume[l] = point.volume;
-  p.plastic_strain[l] = point.plastic_strain;
-  p.plastic_rest[l] = point.plastic_rest;
-  p.law[l] = point.law;
-  p.particle[l] = point.particle;
+template <class Real>
+void put_point(const PackedPoint<Real>& p, Pack<Real>& pack, PackMotion<Real>& motion,
+               std::size_t lane) {
+  for (std::size_t n = 0; n < p.number.size(); ++n) {
+    (pack.*point_numbers<Real>[n].lane)[lane] = p.number[n];
+  }
+  for (std::size_t n = 0; n < p.motion.size(); ++n) {
+    (motion.*motion_numbers<Real>[n].lane)[lane] = p.motion[n];
+  }
+  pack.law[lane] = p.law;
+  pack.id[lane] = p.id;
 }
 
-/// What stands in a lane without a point; `law` is any row of the table.
-inline PackedPoint no_point(std::int32_t law) {
-  return {Real{0.5}, Real{0.5}, 0, 0, 0, 0, 0, 0, 0, 0, law, -1};
+/// What stands in a lane without a point: nothing, in the middle of its cell; `law` is any row of
+/// the table.
+template <class Real>
+PackedPoint<Real> no_point(std::int32_t law) {
+  PackedPoint<Real> none;
+  none.number[0] = none.number[1] = Real{0.5};
+  none.law = law;
+  return none;
 }
 
 }  // namespace leda::solver

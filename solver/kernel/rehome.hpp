@@ -1,15 +1,14 @@
 #pragma once
-// Points that change their cell, from pack to pack.
+// Points that have left their home cell are put into their new one.
 
-#include "solver/kernel/pack_grid.hpp"
-#include "solver/kernel/packs.hpp"
+#include "solver/kernel/grid.hpp"
 
 namespace leda::solver {
 
-/// Puts every stray into the cell it has moved to: into a free lane where there is one, into a pack
-/// of the reserve otherwise; where there is none, the packs of that group are made anew. The motion
-/// of strays is not kept, nor that of groups made anew.
+/// Puts every stray, with its motion, into a free lane of its new cell, or into a pack of its
+/// group's reserve; where that is used up the packs of that group are made anew.
 /// @return false where a point has left the grid; nothing is changed then
-bool rehome_strays(Packs& packs, PackGrid& grid);
+template <class Real>
+bool rehome_strays(Packs<Real>& packs, Grid<Real>& grid);
 
 }  // namespace leda::solver

@@ -28,11 +28,11 @@ bool may_rest(const std::vector<GroupRest>& groups, std::size_t g) {
 
 }  // namespace
 
-bool observe(std::vector<GroupRest>& groups, const std::vector<PackSums>& points, double dt,
+bool observe(std::vector<GroupRest>& groups, const std::vector<PointSums>& points, double dt,
              double width) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     if (groups[g].rests) continue;
-    const double speed = std::sqrt(points[g].particles.fastest_squared);
+    const double speed = std::sqrt(points[g].fastest_squared);
     const bool quiet = speed < GroupRest::quiet_speed && !points[g].yields;
     groups[g].quiet = quiet ? groups[g].quiet + dt : 0.0;
   }
@@ -41,7 +41,7 @@ bool observe(std::vector<GroupRest>& groups, const std::vector<PackSums>& points
     if (!groups[g].rests) continue;
     double fastest_squared = 0;
     any_neighbour(groups, g, [&](std::size_t n) {
-      fastest_squared = std::max(fastest_squared, points[n].particles.fastest_squared);
+      fastest_squared = std::max(fastest_squared, points[n].fastest_squared);
       return false;
     });
     groups[g].drift += std::sqrt(fastest_squared) * dt;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/kernel/pack_step.hpp"
+#include "solver/kernel/kernel.hpp"
 
 namespace leda::solver {
 
@@ -28,7 +28,7 @@ struct GroupRest {
 /// Takes note of a step of dt: `points` holds what the groups that were stepped did in it.
 /// @param width of a group, m
 /// @return whether a resting group has to wake
-bool observe(std::vector<GroupRest>& groups, const std::vector<PackSums>& points, double dt,
+bool observe(std::vector<GroupRest>& groups, const std::vector<PointSums>& points, double dt,
              double width);
 
 /// Wakes and lays to rest whom the observations say.

@@ -9,7 +9,7 @@
 #endif
 
 #include "hwy/highway.h"
-#include "solver/kernel/packs.hpp"
+#include "solver/kernel/spline-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace leda::solver::HWY_NAMESPACE {
@@ -27,14 +27,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// @param seen sum of w m_i over the nodes, kg/m  @param area h^2, m2  @param gamma plastic strain
 template <class D>
 HWY_INLINE hn::Vec<D> softer_share(D d, hn::Vec<D> seen, hn::Vec<D> mass, hn::Vec<D> volume,
-                                   hn::Vec<D> gamma, Real area) {
-  const auto one = hn::Set(d, Real{1});
-  const auto enough = hn::Mul(mass, hn::Set(d, 0.8F * area));
-  const auto fill =
-      hn::Div(hn::Mul(seen, volume), hn::Max(enough, hn::Set(d, Real{1e-30F})));  // empty lanes
-  const auto thin = hn::Min(hn::Max(hn::Mul(fill, fill), hn::Set(d, Real{0.25})), one);
-  const auto strained = hn::NegMulAdd(hn::Set(d, Real{0.35F}), hn::Min(gamma, one), one);
-  return hn::Mul(thin, strained);
+                                   hn::Vec<D> gamma, Number<D> area) {
+  const auto one = constant(d, 1);
+  const auto enough = mass * (constant(d, 0.8) * hn::Set(d, area));
+  const auto fill = seen * volume / hn::Max(enough, constant(d, 1e-30));  // empty lanes
+  const auto thin = hn::Min(hn::Max(fill * fill, constant(d, 0.25)), one);
+  const auto strained = hn::NegMulAdd(constant(d, 0.35), hn::Min(gamma, one), one);
+  return thin * strained;
 }
 
 }  // namespace leda::solver::HWY_NAMESPACE

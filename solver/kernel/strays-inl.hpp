@@ -11,35 +11,38 @@
 #include <cmath>
 
 #include "hwy/highway.h"
-#include "solver/kernel/pack_spline-inl.hpp"
+#include "solver/kernel/spline-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+template <class Real>
 using OneLane = hn::CappedTag<Real, 1>;
 
-// Points of the pack that have left their home cell.
+/// Points of the pack that have left their home cell.
 template <class D>
 HWY_INLINE hn::Mask<D> strays(D d, hn::Vec<D> x, hn::Vec<D> z, hn::Vec<D> mass) {
-  const auto zero = hn::Zero(d), one = hn::Set(d, Real{1});
+  const auto zero = hn::Zero(d), one = constant(d, 1);
   const auto inside =
       hn::And(hn::And(hn::Ge(x, zero), hn::Lt(x, one)), hn::And(hn::Ge(z, zero), hn::Lt(z, one)));
   return hn::AndNot(inside, hn::Gt(mass, zero));
 }
 
-// A stray's present cell and its place in it.
+/// A stray's present cell and its place in it.
+template <class Real>
 struct Stray {
   std::size_t column, row;
   Real x, z;
 };
 
-// False where the grid has no nodes for it.
-HWY_INLINE bool find_stray(const PackGrid& grid, const PackPlace& place, std::size_t lane, Real x,
-                           Real z, Stray& s) {
+/// False where the grid has no nodes for it.
+template <class Real>
+HWY_INLINE bool find_stray(const Grid<Real>& grid, const PackPlace& place, std::size_t lane, Real x,
+                           Real z, Stray<Real>& s) {
   const Real dx = std::floor(x), dz = std::floor(z);
   const Real column = static_cast<Real>(place.column) + dx;
-  const Real row = static_cast<Real>(place.row + lane % Pack::rows) + dz;
+  const Real row = static_cast<Real>(place.row + lane % Pack<Real>::rows) + dz;
   if (!(column >= 0 && column + 3 <= static_cast<Real>(grid.columns) && row >= 0 &&
         row + 3 <= static_cast<Real>(grid.rows))) {
     return false;
@@ -48,18 +51,20 @@ HWY_INLINE bool find_stray(const PackGrid& grid, const PackPlace& place, std::si
   return true;
 }
 
-// Calls one(stray, lane) for each stray of the vector; false where one of them has left the grid.
+/// Calls one(stray, lane) for each stray of the vector; false where one of them has left the grid.
 template <class D, class One>
-HWY_INLINE bool for_strays(D d, const PackGrid& grid, const PackPlace& place, std::size_t first,
-                           hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z, const One& one) {
-  HWY_ALIGN Real at_x[Pack::lanes], at_z[Pack::lanes], is_stray[Pack::lanes];
+HWY_INLINE bool for_strays(D d, const Grid<Number<D>>& grid, const PackPlace& place,
+                           std::size_t first, hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
+                           const One& one) {
+  using Real = Number<D>;
+  HWY_ALIGN Real at_x[Pack<Real>::lanes], at_z[Pack<Real>::lanes], is_stray[Pack<Real>::lanes];
   hn::Store(x, d, at_x);
   hn::Store(z, d, at_z);
-  hn::Store(hn::IfThenElseZero(stray, hn::Set(d, Real{1})), d, is_stray);
+  hn::Store(hn::IfThenElseZero(stray, constant(d, 1)), d, is_stray);
   bool all = true;
   for (std::size_t l = 0; l < hn::Lanes(d); ++l) {
     if (is_stray[l] == 0) continue;
-    Stray s{};
+    Stray<Real> s{};
     if (find_stray(grid, place, first + l, at_x[l], at_z[l], s)) {
       one(s, l);
     } else {
@@ -69,45 +74,44 @@ HWY_INLINE bool for_strays(D d, const PackGrid& grid, const PackPlace& place, st
   return all;
 }
 
-// The motion of strays, put into their lanes.
+/// What strays take from the nodes, put into their lanes.
 template <class D>
-HWY_NOINLINE bool gather_strays(D d, PackGrid& grid, const PackPlace& place, std::size_t first,
-                                hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
-                                PackVelocity<D>& velocity, hn::Vec<D>& mass) {
-  const OneLane d1;
-  HWY_ALIGN Real lanes[11][Pack::lanes];
-  hn::Vec<D>* all[11] = {&velocity.vx,  &velocity.vz,  &velocity.mxx, &velocity.mxz,
-                         &velocity.mzx, &velocity.mzz, &velocity.lxx, &velocity.lxz,
-                         &velocity.lzx, &velocity.lzz, &mass};
-  for (std::size_t v = 0; v < 11; ++v) hn::Store(*all[v], d, lanes[v]);
+HWY_NOINLINE bool gather_strays(D d, Grid<Number<D>>& grid, const PackPlace& place,
+                                std::size_t first, hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
+                                FromNodes<hn::Vec<D>>& taken) {
+  using Real = Number<D>;
+  const OneLane<Real> d1;
+  constexpr std::size_t count = FromNodes<hn::Vec<D>>::count;
+  HWY_ALIGN Real lanes[count][Pack<Real>::lanes];
+  const auto all = taken.all();
+  for (std::size_t v = 0; v < count; ++v) hn::Store(*all[v], d, lanes[v]);
   const bool inside =
-      for_strays(d, grid, place, first, stray, x, z, [&](const Stray& s, std::size_t l) {
-        const auto ax = pack_axis(d1, hn::Set(d1, s.x)), az = pack_axis(d1, hn::Set(d1, s.z));
-        const auto o = pack_velocity(d1, grid.velocity_at(s.column, s.row), grid.stride, ax, az);
-        const auto m = seen_mass(d1, grid, s.column, s.row, ax, az);
-        const hn::Vec<OneLane> one[11] = {o.vx,  o.vz,  o.mxx, o.mxz, o.mzx, o.mzz,
-                                          o.lxx, o.lxz, o.lzx, o.lzz, m};
-        for (std::size_t v = 0; v < 11; ++v) lanes[v][l] = hn::GetLane(one[v]);
+      for_strays(d, grid, place, first, stray, x, z, [&](const Stray<Real>& s, std::size_t l) {
+        auto own = from_nodes(d1, grid, s.column, s.row, hn::Set(d1, s.x), hn::Set(d1, s.z));
+        const auto one = own.all();
+        for (std::size_t v = 0; v < count; ++v) lanes[v][l] = hn::GetLane(*one[v]);
       });
-  for (std::size_t v = 0; v < 11; ++v) *all[v] = hn::Load(d, lanes[v]);
+  for (std::size_t v = 0; v < count; ++v) *all[v] = hn::Load(d, lanes[v]);
   return inside;
 }
 
+/// Adds what strays give to the nodes of their present cells.
 template <class D>
-HWY_NOINLINE bool spread_strays(D d, PackGrid& grid, const PackPlace& place, std::size_t first,
-                                hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
-                                const PackShare<D>& share) {
-  const OneLane d1;
-  HWY_ALIGN Real lanes[10][Pack::lanes];
-  const hn::Vec<D> all[10] = {share.mass, share.px,  share.pz,  share.pxx, share.pxz,
-                              share.pzx,  share.pzz, share.fxx, share.fzz, share.fxz};
-  for (std::size_t v = 0; v < 10; ++v) hn::Store(all[v], d, lanes[v]);
-  return for_strays(d, grid, place, first, stray, x, z, [&](const Stray& s, std::size_t l) {
-    const auto value = [&](std::size_t v) { return hn::Set(d1, lanes[v][l]); };
-    spread_pack(d1, grid.sums_at(s.column, s.row), grid.stride, pack_axis(d1, hn::Set(d1, s.x)),
-                pack_axis(d1, hn::Set(d1, s.z)),
-                PackShare<OneLane>{value(0), value(1), value(2), value(3), value(4), value(5),
-                                   value(6), value(7), value(8), value(9)});
+HWY_NOINLINE bool spread_strays(D d, Grid<Number<D>>& grid, const PackPlace& place,
+                                std::size_t first, hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
+                                ToNodes<hn::Vec<D>> given) {
+  using Real = Number<D>;
+  const OneLane<Real> d1;
+  constexpr std::size_t count = ToNodes<hn::Vec<D>>::count;
+  HWY_ALIGN Real lanes[count][Pack<Real>::lanes];
+  const auto all = given.all();
+  for (std::size_t v = 0; v < count; ++v) hn::Store(*all[v], d, lanes[v]);
+  return for_strays(d, grid, place, first, stray, x, z, [&](const Stray<Real>& s, std::size_t l) {
+    ToNodes<hn::Vec<OneLane<Real>>> own;
+    const auto one = own.all();
+    for (std::size_t v = 0; v < count; ++v) *one[v] = hn::Set(d1, lanes[v][l]);
+    add_to_nodes(d1, grid.sums_at(s.column, s.row), grid.stride, spline(d1, hn::Set(d1, s.x)),
+                 spline(d1, hn::Set(d1, s.z)), own);
   });
 }
 

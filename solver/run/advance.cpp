@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/kernel/sort_particles.hpp"
 #include "solver/kernel/time_step.hpp"
 #include "solver/run/run_state.hpp"
 
@@ -9,8 +8,7 @@ namespace leda::solver {
 
 namespace {
 
-constexpr int most_steps_between_sorts = 32;
-constexpr double most_travel = 0.5;  // cells, before the order of the particles is renewed
+constexpr double most_travel = 0.5;  // cells, before all points are put into their cells
 constexpr double most_travel_a_step = 0.4;
 constexpr double most_energy_gain = 0.1;
 // Of h / c_p, with positions held. Light nodes at a free edge lower the limit there, and what is
@@ -19,25 +17,11 @@ constexpr double most_factor_held = 0.5;
 
 constexpr const char* left_model = "a particle left the model";
 
-std::optional<StageEnd> keep_sorted(RunState& run, PackedStage& stage) {
-  if (run.travel <= most_travel * run.seeded.grid.h && !is_untidy(stage)) return {};
-  if (!tidy_up(stage)) return StageEnd{StageEnd::Why::left_domain, left_model};
+template <class Real>
+std::optional<StageEnd> keep_tidy(RunState& run, Model<Real>& model) {
+  if (run.travel <= most_travel * run.seeded.size.h && !is_untidy(model)) return {};
+  if (!tidy_up(model)) return StageEnd{StageEnd::Why::left_domain, left_model};
   run.travel = 0;
-  return {};
-}
-
-std::optional<StageEnd> keep_sorted(RunState& run) {
-  if (run.packed) return keep_sorted(run, *run.packed);
-  const bool due = run.since_sort == 0 || run.since_sort >= most_steps_between_sorts ||
-                   run.travel > most_travel * run.seeded.grid.h;
-  if (due) {
-    if (!sort_particles(run.seeded.particles, run.seeded.grid)) {
-      return StageEnd{StageEnd::Why::left_domain, left_model};
-    }
-    run.since_sort = 0;
-    run.travel = 0;
-  }
-  ++run.since_sort;
   return {};
 }
 
@@ -51,12 +35,12 @@ bool is_looked_at(const RunState& run, double dt) {
 
 // Positions that are held do no work the audit could follow: it looks at moving ground only.
 std::optional<StageEnd> check(const RunState& run, const StepSums& sums, double dt, bool move) {
-  const double all = sums.particles.momentum_x + sums.particles.momentum_z +
-                     sums.particles.stress_work + sums.grid.kinetic_after;
+  const double all = sums.points.momentum_x + sums.points.momentum_z + sums.points.stress_work +
+                     sums.grid.kinetic_after;
   if (!std::isfinite(all)) {
     return StageEnd{StageEnd::Why::unstable, "a velocity or stress is not finite"};
   }
-  if (run.fastest * dt > most_travel_a_step * run.seeded.grid.h) {
+  if (run.fastest * dt > most_travel_a_step * run.seeded.size.h) {
     return StageEnd{StageEnd::Why::unstable, "a particle moves at " + std::to_string(run.fastest) +
                                                  " m/s, further than 0.4 cells a step"};
   }
@@ -68,27 +52,46 @@ std::optional<StageEnd> check(const RunState& run, const StepSums& sums, double 
   return {};
 }
 
-}  // namespace
-
-std::optional<StageEnd> advance(RunState& run, const LawTable& laws, double damping, bool move) {
-  if (auto end = keep_sorted(run)) return end;
-  const double most = move ? most_factor(run.packed && run.packed->laws.softer) : most_factor_held;
+template <class Real>
+std::optional<StageEnd> advance(RunState& run, Model<Real>& model, double damping, bool move) {
+  if (auto end = keep_tidy(run, model)) return end;
+  const double most = move ? most_factor(model.settings.softer) : most_factor_held;
   const double factor = std::min(run.settings->time_step_factor, most);
-  const double dt = time_step(run.seeded.grid.h, laws.stiffest_speed, run.fastest, factor);
+  const double dt =
+      time_step(run.seeded.size.h, run.seeded.laws.stiffest_speed, run.fastest, factor);
   const StepSettings settings{dt, gravity, damping, move};
-  bool left_grid = false;
-  const StepSums sums =
-      run.packed ? step(*run.packed, settings, is_looked_at(run, dt), *run.team, left_grid)
-                 : step(run.seeded.particles, run.seeded.grid, laws, settings);
+  const StepSums sums = step(model, settings, is_looked_at(run, dt), *run.team);
   run.audit.add(sums, settings);
-  run.fastest = std::sqrt(sums.particles.fastest_squared);
-  run.travel += run.fastest * dt;
+  run.node_sums = sums.grid;
+  run.fastest = std::sqrt(sums.points.fastest_squared);
+  if (move) run.travel += run.fastest * dt;
   run.time += dt;
   ++run.steps;
-  run.particle_steps +=
-      static_cast<double>(run.packed ? run.packed->stepped : run.seeded.particles.count);
-  if (left_grid) return StageEnd{StageEnd::Why::left_domain, left_model};
+  run.particle_steps += static_cast<double>(model.stepped);
+  if (sums.points.left_grid) return StageEnd{StageEnd::Why::left_domain, left_model};
   return check(run, sums, dt, move);
+}
+
+}  // namespace
+
+std::optional<StageEnd> advance(RunState& run, double damping, bool move) {
+  return with_model(run.model, [&](auto& model) { return advance(run, model, damping, move); });
+}
+
+ModelSettings moving_settings(const RunState& run) {
+  return {.softer = takes_long_steps(*run.settings),
+          .averages = run.seeded.averages,
+          .keeps_force = false,
+          .rests = !run.settings->full};
+}
+
+bool take_particles(RunState& run, const Particles& particles) {
+  return with_model(run.model, [&]<class Real>(Model<Real>& model) {
+    auto made = make_model<Real>(particles, run.seeded.size, run.seeded.laws, model.settings);
+    if (!made) return false;
+    model = std::move(*made);
+    return true;
+  });
 }
 
 }  // namespace leda::solver

@@ -1,7 +1,7 @@
 #pragma once
 // Mass, momentum and energy of a run: what the numbers themselves say about it.
 
-#include "solver/kernel/step.hpp"
+#include "solver/run/model_of_run.hpp"
 #include "solver/section/section_result.hpp"
 
 namespace leda::solver {
@@ -31,12 +31,8 @@ struct EnergyAudit {
 };
 
 /// Energy stored in the stresses, J per metre of width.
-double elastic_energy(const Particles& particles, const LawTable& laws);
+double elastic_energy(const AnyModel& model, const LawTable& laws);
 
-EnergyAudit begin_audit(const Particles& particles, const LawTable& laws, double h);
-
-/// Relative difference of mass and momentum between particles and nodes after one transfer.
-/// The grid is left as particles_to_grid leaves it.
-Balances transfer_balance(const Particles& particles, Grid& grid);
+EnergyAudit begin_audit(const AnyModel& model, const LawTable& laws);
 
 }  // namespace leda::solver

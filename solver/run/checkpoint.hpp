@@ -11,8 +11,8 @@ namespace leda::solver {
 std::string save_state(const RunState& run);
 
 /// Puts a saved state into a run that was started from the same case.
-/// @return false, and an unchanged run, where the bytes are no state of this run: another
-///         version of the format, cut short, or another number of particles or nodes
+/// @return false, and an unchanged run, where the bytes are no state of this run: they hold other
+///         values (names and sizes are compared), are cut short, or do not fit the case
 bool load_state(const std::string& bytes, RunState& run);
 
 }  // namespace leda::solver

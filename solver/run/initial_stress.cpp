@@ -19,22 +19,20 @@ struct Balance {
   double ratio = 1;
 };
 
-// Force on the nodes that is not balanced, over their weight, without taking a step in time.
-double unbalanced_ratio(RunState& run) {
-  Grid& grid = run.seeded.grid;
-  clear(grid);
-  particles_to_grid(run.seeded.particles, grid);
-  const GridSums sums = update_velocity(grid, {0.0, gravity, 0.0});
+Model<double>& quiet_model(RunState& run) { return std::get<Model<double>>(run.model); }
+
+double ratio_of(const RunState& run) {
+  const GridSums& sums = run.node_sums;
   return sums.weight > 0 ? sums.unbalanced_force / sums.weight : 0.0;
 }
 
-std::optional<StageEnd> relax(RunState& run, const LawTable& laws, int most_steps,
-                              const char* stage, Balance& balance) {
-  run.audit = begin_audit(run.seeded.particles, run.seeded.laws, run.seeded.grid.h);
+std::optional<StageEnd> relax(RunState& run, int most_steps, const char* stage, Balance& balance) {
+  spread_anew(quiet_model(run));
+  run.audit = begin_audit(run.model, run.seeded.laws);
   for (int i = 1; i <= most_steps; ++i) {
-    if (auto end = advance(run, laws, run.settings->damping.initial, false)) return end;
+    if (auto end = advance(run, run.settings->damping.initial, false)) return end;
     if (i % steps_between_looks != 0) continue;
-    balance.ratio = unbalanced_ratio(run);
+    balance.ratio = ratio_of(run);
     if (balance.ratio < balanced) {
       balance.reached = true;
       return {};
@@ -49,19 +47,22 @@ std::optional<StageEnd> relax(RunState& run, const LawTable& laws, int most_step
   return {};
 }
 
-void zero_motion(Particles& p) {
-  for (auto* array : {&p.vx, &p.vz, &p.cxx, &p.cxz, &p.czx, &p.czz, &p.plastic_strain}) {
-    std::fill(array->begin(), array->end(), 0.0);
+void zero_motion(Model<double>& model) {
+  std::ranges::fill(model.packs.motion, PackMotion<double>{});
+  for (auto& pack : model.packs.pack) {
+    std::ranges::fill(pack.plastic_strain, 0.0);
+    std::ranges::fill(pack.plastic_rest, 0.0);
   }
+  spread_anew(model);
 }
 
 // A balance by static solves. Left unreached where there is none, or none the statics can find.
-std::optional<StageEnd> solve(RunState& run, const Statics& statics, const LawTable& laws,
-                              const char* stage, Balance& balance) {
+std::optional<StageEnd> solve(RunState& run, const Statics& statics, const char* stage,
+                              Balance& balance) {
   if (run.listener->progress) run.listener->progress({0.0, 0.0, stage});
   const StaticBalance found =
-      statics.balance(run.seeded.particles, run.seeded.grid, laws, run.listener->interrupted);
-  zero_motion(run.seeded.particles);
+      statics.balance(quiet_model(run), *run.team, run.listener->interrupted);
+  zero_motion(quiet_model(run));
   if (found.end == StaticBalance::End::interrupted) {
     return StageEnd{StageEnd::Why::interrupted, ""};
   }
@@ -71,27 +72,37 @@ std::optional<StageEnd> solve(RunState& run, const Statics& statics, const LawTa
 
 std::optional<StageEnd> settle(RunState& run, const std::optional<Statics>& statics, bool elastic,
                                Balance& balance) {
-  const LawTable laws = without_softening(run.seeded.laws, elastic);
+  take_laws(quiet_model(run), without_softening(run.seeded.laws, elastic));
   const char* stage = elastic ? "initial stress" : "undrained";
   balance = {};
   if (statics) {
-    if (auto end = solve(run, *statics, laws, stage, balance)) return end;
+    if (auto end = solve(run, *statics, stage, balance)) return end;
   }
   if (!balance.reached) {
     const int most = elastic ? most_elastic_steps : most_plastic_steps;
-    if (auto end = relax(run, laws, most, stage, balance)) return end;
+    if (auto end = relax(run, most, stage, balance)) return end;
   }
-  zero_motion(run.seeded.particles);
+  zero_motion(quiet_model(run));
   return {};
 }
 
 }  // namespace
 
+void begin_quiet(RunState& run) {
+  const ModelSettings settings{
+      .softer = false, .averages = run.seeded.averages, .keeps_force = true, .rests = false};
+  // Seeds stand under the ground, so all of them lie on the grid.
+  run.model =
+      make_model<double>(run.seeded.particles, run.seeded.size, run.seeded.laws, settings).value();
+  run.seeded.particles = {};
+}
+
 std::optional<StageEnd> find_initial_stress(RunState& run, QuietMethod method) {
+  if (!run.team) run.team = std::make_shared<ThreadTeam>(1);
   Balance balance;
   std::optional<Statics> statics;
   if (method == QuietMethod::direct) {
-    statics = Statics::prepare(run.seeded.particles, run.seeded.grid, run.seeded.laws);
+    statics = Statics::prepare(quiet_model(run), run.seeded.laws, *run.team);
   }
   if (auto end = settle(run, statics, true, balance)) return end;
   if (auto end = settle(run, statics, false, balance)) return end;
@@ -103,6 +114,15 @@ std::optional<StageEnd> find_initial_stress(RunState& run, QuietMethod method) {
   run.fastest = 0;
   run.time = 0;
   return {};
+}
+
+void begin_moving(RunState& run) {
+  const auto moving = [&]<class Real>(Real) {
+    run.model = with_model(run.model, [&](const auto& model) -> AnyModel {
+      return converted<Real>(model, run.seeded.size, run.seeded.laws, moving_settings(run));
+    });
+  };
+  run.settings->full ? moving(double{}) : moving(float{});
 }
 
 }  // namespace leda::solver

@@ -11,6 +11,9 @@ enum class QuietMethod {
   relaxed  ///< explicit steps at the initial damping: the reference
 };
 
+/// Puts the seeded particles into a model in double precision whose forces are kept.
+void begin_quiet(RunState& run);
+
 /// Elastic to equilibrium, then elastic-perfectly plastic at the undrained peak strength; then
 /// plastic strain and velocity are zeroed. A section that finds no equilibrium at its peak
 /// strength goes on with a warning: it slides without softening. Only steps of the relaxation
@@ -18,5 +21,8 @@ enum class QuietMethod {
 /// @return nothing when the stage is complete
 std::optional<StageEnd> find_initial_stress(RunState& run,
                                             QuietMethod method = QuietMethod::direct);
+
+/// Puts the settled ground into the model that moves, in the precision asked for.
+void begin_moving(RunState& run);
 
 }  // namespace leda::solver

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/kernel/particles.hpp"
+#include "solver/run/model_of_run.hpp"
 
 namespace leda::solver {
 
@@ -15,10 +15,10 @@ namespace leda::solver {
 class LastGood {
  public:
   /// @return false, and what was kept before stays, where a value is not finite in single precision
-  bool keep(const Particles& particles, double time_s);
+  bool keep(const AnyModel& model, double time_s);
 
-  /// Puts the kept values back, particle by particle; without effect where nothing was kept.
-  /// @pre no particle was added or removed since keep()
+  /// Puts the kept values back, by id; without effect where nothing was kept.
+  /// @param particles those that were kept, in any order
   /// @return the time of the state, s
   double restore(Particles& particles) const;
 

@@ -2,11 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace leda::solver {
 
 namespace {
+
+// Calls one(position from the grid's origin, id) for every point.
+template <class One>
+void for_each_position(const AnyModel& model, const One& one) {
+  with_model(model, [&](const auto& m) {
+    for_each_point(m.packs, [&](std::size_t i, std::size_t l) {
+      one(point_at(m.packs, i, l, m.grid.h), m.packs.pack[i].id[l]);
+    });
+  });
+}
 
 // The column farthest behind the crest whose top dropped, as the x of its far edge.
 double backscarp_x(const Surface& before, const Surface& now, double crest_x, bool bank_left) {
@@ -26,22 +35,23 @@ double backscarp_x(const Surface& before, const Surface& now, double crest_x, bo
 // Which columns beyond the toe hold debris: ground of the bank that lies on the initial ground, or
 // a surface that rose, be it by debris or by ground the debris pushed up. None where no ground of
 // the bank has passed the toe: then it was another bank that moved.
-std::vector<bool> debris_columns(const Seeded& seeded, const Section& section, double toe_x,
-                                 const Surface& before, const Surface& now, bool bank_left) {
+std::vector<bool> debris_columns(const AnyModel& model, const Seeded& seeded,
+                                 const Section& section, double toe_x, const Surface& before,
+                                 const Surface& now, bool bank_left) {
   std::vector<bool> debris(before.z.size(), false);
   bool any_crossed = false;
   for (std::size_t i = 0; i < debris.size(); ++i) {
     debris[i] = now.z[i] - before.z[i] > surface_threshold_m;
   }
-  const Particles& p = seeded.particles;
-  for (std::size_t i = 0; i < p.count; ++i) {
-    const double x = p.x[i] + seeded.origin_x, start = p.start_x[i] + seeded.origin_x;
+  for_each_position(model, [&](PointAt at, std::int32_t id) {
+    const double x = at.x + seeded.origin_x;
+    const double start = seeded.start_x[static_cast<std::size_t>(id)] + seeded.origin_x;
     const bool crossed = bank_left ? start < toe_x && x > toe_x : start > toe_x && x < toe_x;
-    if (crossed && p.z[i] + seeded.origin_z > elevation_at(section.ground, x)) {
+    if (crossed && at.z + seeded.origin_z > elevation_at(section.ground, x)) {
       debris[column_of(before, x)] = true;
       any_crossed = true;
     }
-  }
+  });
   if (!any_crossed) debris.assign(debris.size(), false);
   return debris;
 }
@@ -77,8 +87,8 @@ std::size_t column_of(const Surface& s, double x) {
 Surface empty_surface(const Seeded& seeded) {
   Surface s;
   s.first_x = seeded.origin_x;
-  s.cell = seeded.grid.h;
-  s.z.assign(seeded.grid.columns - 3, seeded.origin_z);
+  s.cell = seeded.size.h;
+  s.z.assign(seeded.size.columns - 3, seeded.origin_z);
   return s;
 }
 
@@ -86,25 +96,15 @@ double retrogression(const Surface& before, const Surface& now, const CrestAndTo
   return std::abs(backscarp_x(before, now, bank.crest.x, bank.crest.x < bank.toe.x) - bank.crest.x);
 }
 
-Surface surface(const Seeded& seeded) {
-  Surface s = empty_surface(seeded);
-  const Particles& p = seeded.particles;
-  for (std::size_t i = 0; i < p.count; ++i) {
-    double& top = s.z[column_of(s, p.x[i] + seeded.origin_x)];
-    top = std::max(top, p.z[i] + seeded.origin_z + 0.5 * seeded.spacing);
-  }
-  return s;
-}
-
-Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe& bank,
-                 const Surface& before) {
+Movement measure(const AnyModel& model, const Seeded& seeded, const Section& section,
+                 const CrestAndToe& bank, const Surface& before) {
   const bool bank_left = bank.crest.x < bank.toe.x;
-  const Surface now = surface(seeded);
+  const Surface now = surface(model, seeded);
   Movement m;
   const double scarp = backscarp_x(before, now, bank.crest.x, bank_left);
   m.retrogression_m = std::abs(scarp - bank.crest.x);
   m.backscarp = {scarp, elevation_at(section.ground, scarp)};
-  const auto debris = debris_columns(seeded, section, bank.toe.x, before, now, bank_left);
+  const auto debris = debris_columns(model, seeded, section, bank.toe.x, before, now, bank_left);
   const double front = connected_front(debris, before, bank.toe.x, bank_left);
   const double past = std::abs(front - bank.toe.x);
   m.runout_m = past > before.cell ? past : 0.0;  // less than a cell is not resolved
@@ -134,36 +134,6 @@ void SlideCount::observe(double time_s, double retrogression_m) {
   } else if (sliding_ && growth < 0.5 * begins_m_) {
     sliding_ = false;
   }
-}
-
-Frame frame(const Seeded& seeded, const LawTable& laws, double time_s) {
-  const Particles& p = seeded.particles;
-  std::vector<std::size_t> order(p.count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return p.id[a] < p.id[b]; });
-  Frame f;
-  f.time_s = time_s;
-  const auto put = [](std::vector<float>& to, double value) {
-    to.push_back(static_cast<float>(value));
-  };
-  for (const std::size_t i : order) {
-    put(f.x, p.x[i] + seeded.origin_x);
-    put(f.z, p.z[i] + seeded.origin_z);
-    put(f.velocity_x, p.vx[i]);
-    put(f.velocity_z, p.vz[i]);
-    put(f.stress_xx, p.sxx[i]);
-    put(f.stress_zz, p.szz[i]);
-    put(f.stress_xz, p.sxz[i]);
-    put(f.stress_yy, p.syy[i]);
-    put(f.plastic_strain, p.plastic_strain[i]);
-    const auto row = static_cast<std::size_t>(p.law[i]);
-    const bool soft = laws.softens[row] != 0 && p.plastic_strain[i] > 0;
-    put(f.strength, soft ? strength(laws.curve(row), p.plastic_strain[i]) : laws.peak[row]);
-    put(f.volume, p.volume[i]);
-    f.material.push_back(laws.material[row]);
-  }
-  return f;
 }
 
 }  // namespace leda::solver

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "solver/run/model_of_run.hpp"
 #include "solver/run/seed_particles.hpp"
 #include "solver/section/crest_and_toe.hpp"
 #include "solver/section/frame.hpp"
@@ -24,7 +25,7 @@ struct Surface {
   double middle(std::size_t i) const { return left(i) + 0.5 * cell; }
 };
 
-Surface surface(const Seeded& seeded);
+Surface surface(const AnyModel& model, const Seeded& seeded);
 
 /// A surface at the base everywhere.
 Surface empty_surface(const Seeded& seeded);
@@ -45,8 +46,8 @@ struct Movement {
 };
 
 /// Retrogression and runout of the present state against the surface at the start.
-Movement measure(const Seeded& seeded, const Section& section, const CrestAndToe& bank,
-                 const Surface& before);
+Movement measure(const AnyModel& model, const Seeded& seeded, const Section& section,
+                 const CrestAndToe& bank, const Surface& before);
 
 /// How far the backscarp lies behind the crest, m; zero where nothing has dropped.
 double retrogression(const Surface& before, const Surface& now, const CrestAndToe& bank);
@@ -68,6 +69,17 @@ class SlideCount {
   int count() const { return count_; }
   double look_interval_s() const { return std::min(0.1, window_s_ / 3); }
 
+  /// Calls visit(name, value) for every part of its state.
+  template <class Self, class Visit>
+  static void each(Self& self, Visit&& visit) {
+    visit("recent", self.recent_);
+    visit("recent_count", self.recent_count_);
+    visit("window_s", self.window_s_);
+    visit("begins_m", self.begins_m_);
+    visit("sliding", self.sliding_);
+    visit("count", self.count_);
+  }
+
  private:
   void forget_oldest();
 
@@ -79,7 +91,8 @@ class SlideCount {
   int count_ = 0;
 };
 
-/// The particles as they are, in the order of their seeding. Particles cut away are absent.
-Frame frame(const Seeded& seeded, const LawTable& laws, double time_s);
+/// The points as they are, in the order of their seeding. Points cut away are absent.
+/// @pre the last step kept the motion
+Frame frame(const AnyModel& model, const Seeded& seeded, double time_s);
 
 }  // namespace leda::solver

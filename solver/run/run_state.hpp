@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "solver/kernel/packed_stage.hpp"
 #include "solver/run/audit.hpp"
 #include "solver/run/last_good.hpp"
+#include "solver/run/model_of_run.hpp"
 #include "solver/run/observe.hpp"
 #include "solver/run/seed_particles.hpp"
 #include "solver/run/simulate.hpp"
@@ -30,23 +30,22 @@ struct RunState {
   const RunSettings* settings = nullptr;
   const Listener* listener = nullptr;
 
-  Seeded seeded;  ///< its particles are those of the last check while `packed` holds a stage
-  std::optional<PackedStage> packed;
-  std::shared_ptr<Team> team;  ///< of the process, no part of the state
+  Seeded seeded;  ///< without its particles, which are in the model
+  AnyModel model;
+  std::shared_ptr<ThreadTeam> team;  ///< of the process, no part of the state
   CrestAndToe bank;
   Surface ground;  ///< tops of the particle columns before anything moved
   SlideCount slides;
   EnergyAudit audit;  ///< of the stage under way
   Balances worst;
-  std::optional<Balances> packs_balance;  ///< of the last stage on packs
   double numerical_dissipation = 0;
 
   double time = 0;     ///< since softening is on, s
   double fastest = 0;  ///< speed of the fastest particle, m/s
   std::int64_t steps = 0;
   double particle_steps = 0;
-  double travel = 0;  ///< the most a particle may have moved since the last sort, m
-  int since_sort = 0;
+  GridSums node_sums;  ///< of the last step
+  double travel = 0;  ///< the most a particle may have moved since all were put into their cells, m
   StageClock clock;
   LastGood last_good;          ///< what the run ends with should it become unstable
   bool resumed = false;        ///< the state comes from a checkpoint
@@ -62,8 +61,15 @@ struct StageEnd {
   std::string reason;  ///< of left_domain and unstable
 };
 
+/// How the model of a moving stage is run.
+ModelSettings moving_settings(const RunState& run);
+
+/// A model of these particles, of the same precision as before.
+/// @return false where a particle lies outside the grid; nothing is changed then
+bool take_particles(RunState& run, const Particles& particles);
+
 /// One step with the time step the present state allows, and the checks that go with it.
 /// @return nothing while the run is sound
-std::optional<StageEnd> advance(RunState& run, const LawTable& laws, double damping, bool move);
+std::optional<StageEnd> advance(RunState& run, double damping, bool move);
 
 }  // namespace leda::solver

@@ -57,7 +57,7 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
   seeded.spacing = h / static_cast<double>(per_side);
   const double height = highest(section.ground) - section.base_m;
   const double length = section.ground.back().x - seeded.origin_x;
-  seeded.grid = make_grid(h, length, height + headroom(height, h));
+  seeded.size = grid_over(h, length, height + headroom(height, h));
 
   const auto cells_x = static_cast<std::size_t>(std::ceil(length / h - 1e-9));
   const auto cells_z = static_cast<std::size_t>(std::ceil(height / h - 1e-9));
@@ -65,7 +65,6 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
   const auto indices = material_indices(section);
   LawTableBuilder laws(section, h);
   std::mt19937_64 random(resolution.seed);
-  Particles& p = seeded.particles;
   for (std::size_t i = 0; i < cells_x * per_side; ++i) {
     const double x = (static_cast<double>(i) + 0.5) * seeded.spacing;
     const double ground = elevation_at(section.ground, x + seeded.origin_x) - section.base_m;
@@ -83,24 +82,21 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
         if (resolution.seed == 0) return value;
         return value + jitter_m * (2 * static_cast<double>(random()) / 18446744073709551616.0 - 1);
       };
-      p.x.push_back(moved(x));
-      p.z.push_back(moved(z));
-      p.sxx.push_back(-horizontal);
-      p.szz.push_back(-vertical);
-      p.syy.push_back(-horizontal);
-      p.mass.push_back(m.unit_weight / gravity * volume);
-      p.volume.push_back(volume);
-      p.law.push_back(laws.row(indices[layer], ground - z, at.z));
+      Particle p;
+      p.x = moved(x);
+      p.z = moved(z);
+      p.sxx = p.syy = -horizontal;
+      p.szz = -vertical;
+      p.mass = m.unit_weight / gravity * volume;
+      p.volume = volume;
+      p.law = laws.row(indices[layer], ground - z, at.z);
+      p.id = static_cast<std::int32_t>(seeded.particles.size());
+      seeded.particles.push_back(p);
+      seeded.start_x.push_back(static_cast<float>(p.x));
     }
   }
-  const std::size_t n = p.x.size();
-  p.start_x = p.x;
-  p.start_z = p.z;
-  p.resize(n);
-  for (std::size_t i = 0; i < n; ++i) p.id[i] = static_cast<std::int32_t>(i);
-  p.fill_padding();
   seeded.laws = laws.table();
-  if (nearly_incompressible(seeded.laws)) average_spans(seeded.grid);
+  seeded.averages = nearly_incompressible(seeded.laws);
   return seeded;
 }
 

@@ -1,8 +1,9 @@
 #pragma once
 // A section to particles: a regular lattice under the ground, in geostatic stress.
 
+#include <vector>
+
 #include "solver/kernel/grid.hpp"
-#include "solver/kernel/particles.hpp"
 #include "solver/materials/law_table.hpp"
 #include "solver/section/run_settings.hpp"
 #include "solver/section/section.hpp"
@@ -12,8 +13,10 @@ namespace leda::solver {
 struct Seeded {
   Particles particles;
   LawTable laws;
-  Grid grid;
-  double origin_x = 0;  ///< the section's x of the grid's origin; its z is the base
+  GridSize size;
+  bool averages = false;       ///< some ground is nearly incompressible
+  std::vector<float> start_x;  ///< by id, m from the grid's origin
+  double origin_x = 0;         ///< the section's x of the grid's origin; its z is the base
   double origin_z = 0;
   double spacing = 0;  ///< of particles, m
 };

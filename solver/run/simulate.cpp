@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "solver/kernel/sort_particles.hpp"
 #include "solver/run/checkpoint.hpp"
 #include "solver/run/initial_stress.hpp"
 #include "solver/run/softening_stage.hpp"
@@ -49,7 +48,7 @@ StageEnd trigger_and_run(RunState& run, std::string& used) {
     StageEnd end = run_stage(run, Stage::softening);
     keep_worst(run);
     const bool stands = end.why == StageEnd::Why::at_rest &&
-                        !moved(measure(run.seeded, *run.section, run.bank, run.ground));
+                        !moved(measure(run.model, run.seeded, *run.section, run.bank, run.ground));
     if (!stands || !undrained || !undrained->then_toe_cut_m) return end;
     excavate(run, toe_cut(*run.section, run.bank, *undrained->then_toe_cut_m));
   }
@@ -75,15 +74,15 @@ RunStatus status_of(const StageEnd& end, bool has_moved) {
   return RunStatus::unstable;
 }
 
-Polyline profile_after(const Seeded& seeded) {
-  const Surface now = surface(seeded);
+Polyline profile_after(const RunState& run) {
+  const Surface now = surface(run.model, run.seeded);
   Polyline line;
   for (std::size_t i = 0; i < now.z.size(); ++i) line.push_back({now.middle(i), now.z[i]});
   return line;
 }
 
 void warn(const RunState& run, const Movement& m, std::vector<std::string>& warnings) {
-  const double near = 2 * run.seeded.grid.h;
+  const double near = 2 * run.seeded.size.h;
   const double left = run.section->ground.front().x, right = run.section->ground.back().x;
   const auto at_edge = [&](double x) { return x - left < near || right - x < near; };
   if ((m.retrogression_m > 0 || m.runout_m > 0) && at_edge(m.backscarp.x)) {
@@ -99,12 +98,8 @@ void warn(const RunState& run, const Movement& m, std::vector<std::string>& warn
 }
 
 void keep_balance(RunState& run) {
-  Balances balance;
-  if (run.packs_balance) {
-    balance = *run.packs_balance;
-  } else if (sort_particles(run.seeded.particles, run.seeded.grid)) {
-    balance = transfer_balance(run.seeded.particles, run.seeded.grid);
-  }
+  const Balances balance =
+      with_model(run.model, [](auto& model) { return transfer_balance(model); });
   run.worst.mass = balance.mass;
   run.worst.momentum = balance.momentum;
 }
@@ -112,14 +107,17 @@ void keep_balance(RunState& run) {
 // What broke a run is no result: the state before it is, and the reason tells both times.
 void fall_back(RunState& run, StageEnd& end, bool moving) {
   const double broke = run.time;
-  if (run.last_good.empty()) run.seeded = seed_particles(*run.section, run.settings->resolution);
-  run.time = run.last_good.restore(run.seeded.particles);
+  Particles particles = run.last_good.empty()
+                            ? seed_particles(*run.section, run.settings->resolution).particles
+                            : particles_of(run.model);
+  run.time = run.last_good.restore(particles);
+  take_particles(run, particles);
   end.reason += moving ? " at " + std::to_string(broke) + " s" : " while the initial stress formed";
   end.reason += "; what is shown is the sound state at " + std::to_string(run.time) + " s";
 }
 
 SectionResult result_of(RunState& run, const StageEnd& end) {
-  const Movement m = measure(run.seeded, *run.section, run.bank, run.ground);
+  const Movement m = measure(run.model, run.seeded, *run.section, run.bank, run.ground);
   SectionResult r;
   r.status = status_of(end, moved(m));
   r.reason = end.reason;
@@ -133,10 +131,11 @@ SectionResult result_of(RunState& run, const StageEnd& end) {
   r.slides = run.slides.count();
   r.simulated_s = run.time;
   r.steps = run.steps;
-  r.particles = static_cast<std::int64_t>(run.seeded.particles.count);
+  r.particles = with_model(
+      run.model, [](const auto& model) { return static_cast<std::int64_t>(model.packs.count); });
   r.balances = run.worst;
   r.numerical_dissipation = run.numerical_dissipation;
-  r.profile_after = profile_after(run.seeded);
+  r.profile_after = profile_after(run);
   r.warnings = run.warnings;
   warn(run, m, r.warnings);
   return r;
@@ -149,7 +148,8 @@ RunState start(const Section& section, const RunSettings& settings, const Listen
   run.listener = &listener;
   run.seeded = seed_particles(section, settings.resolution);
   run.bank = bank_of(section);
-  run.ground = surface(run.seeded);
+  begin_quiet(run);
+  run.ground = surface(run.model, run.seeded);
   run.slides = SlideCount(run.bank.crest.z - run.bank.toe.z, settings.resolution.cell_m);
   return run;
 }
@@ -161,7 +161,7 @@ SectionResult simulate(const Section& section, const RunSettings& settings,
   using Clock = std::chrono::steady_clock;
   const auto began = Clock::now();
   RunState run = start(section, settings, listener);
-  run.team = std::make_shared<Team>(threads);
+  run.team = std::make_shared<ThreadTeam>(threads);
   std::string used = "none";
   StageEnd end;
   if (!listener.resume_from.empty()) load_state(listener.resume_from, run);

@@ -5,7 +5,7 @@
 
 #include "solver/kernel/time_step.hpp"
 #include "solver/run/checkpoint.hpp"
-#include "solver/run/packed_surface.hpp"
+#include "solver/run/initial_stress.hpp"
 
 namespace leda::solver {
 
@@ -38,7 +38,7 @@ bool at_rest(RunState& run) {
 
 // Negative plastic work: the stress update has fed energy to the motion.
 std::optional<StageEnd> check_plastic_work(const RunState& run) {
-  const double elastic = elastic_energy(run.seeded.particles, run.seeded.laws);
+  const double elastic = elastic_energy(run.model, run.seeded.laws);
   const double work = run.audit.plastic_work(elastic);
   if (work >= -most_energy_fed) return {};
   return StageEnd{StageEnd::Why::unstable,
@@ -50,15 +50,14 @@ std::optional<StageEnd> check_plastic_work(const RunState& run) {
 
 void show_frame(RunState& run) {
   if (!run.listener->frame) return;
-  run.listener->frame(frame(run.seeded, run.seeded.laws, run.time));
+  run.listener->frame(frame(run.model, run.seeded, run.time));
   ++run.frames;
 }
 
 namespace {
 
 void look(RunState& run) {
-  const Surface now = run.packed ? packed_surface(run.packed->packs, run.packed->grid, run.seeded)
-                                 : surface(run.seeded);
+  const Surface now = surface(run.model, run.seeded);
   run.slides.observe(run.time, retrogression(run.ground, now, run.bank));
   if (!run.listener->progress) return;
   const double share = run.time / run.settings->stop.max_time_s;
@@ -68,7 +67,7 @@ void look(RunState& run) {
 
 // What was checked last is what an unstable run falls back on.
 std::optional<StageEnd> keep_good(RunState& run) {
-  if (run.last_good.keep(run.seeded.particles, run.time)) return {};
+  if (run.last_good.keep(run.model, run.time)) return {};
   return StageEnd{StageEnd::Why::unstable, "a velocity or stress is beyond all measure"};
 }
 
@@ -96,21 +95,13 @@ class Checkpoints {
 };
 
 void begin(RunState& run, StageClock::Stage stage) {
-  run.audit = begin_audit(run.seeded.particles, run.seeded.laws, run.seeded.grid.h);
+  begin_moving(run);
+  run.audit = begin_audit(run.model, run.seeded.laws);
   run.clock = StageClock{};
   run.clock.stage = stage;
   run.clock.next_look = run.time + run.slides.look_interval_s();
   run.clock.next_frame = run.time + run.settings->output.frame_interval_s;
-  if (!run.settings->full && packs_can_run(run.seeded.grid, run.seeded.laws)) {
-    run.packed = begin_packed_stage(run.seeded.particles, run.seeded.grid, run.seeded.laws,
-                                    takes_long_steps(*run.settings));
-    run.travel = 0;
-  }
-}
-
-// The state of the packs, to where it is looked at.
-void unpack_state(RunState& run) {
-  if (run.packed) unpack(run.packed->packs, run.packed->grid, run.seeded.particles);
+  run.travel = 0;
 }
 
 // A look at the surface, and every fifth time at all of the state.
@@ -120,7 +111,6 @@ std::optional<StageEnd> look_at(RunState& run, Checkpoints& checkpoints) {
   const bool checks = ++run.clock.looks % looks_between_checks == 0 || rests;
   const bool interrupted = run.listener->interrupted && run.listener->interrupted();
   const bool saves = interrupted || checkpoints.is_due(run);
-  if (checks || saves) unpack_state(run);
   look(run);
   if (checks) {
     if (auto end = check_plastic_work(run)) return end;
@@ -135,7 +125,6 @@ std::optional<StageEnd> look_at(RunState& run, Checkpoints& checkpoints) {
 std::optional<StageEnd> show_frame_if_due(RunState& run) {
   const double interval = run.settings->output.frame_interval_s;
   if (interval <= 0 || run.time < run.clock.next_frame) return {};
-  unpack_state(run);
   if (auto end = keep_good(run)) return end;
   show_frame(run);
   run.clock.next_frame += interval;
@@ -146,25 +135,20 @@ StageEnd run_steps(RunState& run) {
   if (auto end = keep_good(run)) return *end;
   Checkpoints checkpoints;
   while (run.time < run.settings->stop.max_time_s) {
-    if (auto end = advance(run, run.seeded.laws, run.settings->damping.dynamic, true)) return *end;
+    if (auto end = advance(run, run.settings->damping.dynamic, true)) return *end;
     if (auto end = show_frame_if_due(run)) return *end;
     if (run.time < run.clock.next_look) continue;
     if (auto end = look_at(run, checkpoints)) return *end;
   }
-  unpack_state(run);
   return {StageEnd::Why::time_limit, ""};
 }
 
 }  // namespace
 
 StageEnd run_stage(RunState& run, StageClock::Stage stage) {
-  if (!run.team) run.team = std::make_shared<Team>(1);
+  if (!run.team) run.team = std::make_shared<ThreadTeam>(1);
   if (run.clock.stage != stage) begin(run, stage);
-  StageEnd end = run_steps(run);
-  if (run.packed && run.packed->kept) run.packs_balance = transfer_balance(*run.packed);
-  run.packed.reset();
-  run.since_sort = 0;
-  return end;
+  return run_steps(run);
 }
 
 }  // namespace leda::solver

@@ -6,15 +6,11 @@
 namespace leda::solver {
 
 std::size_t excavate(RunState& run, const Polyline& polygon) {
-  Particles& p = run.seeded.particles;
-  std::vector<std::int32_t> kept;
-  for (std::size_t i = 0; i < p.count; ++i) {
-    const Point at{p.x[i] + run.seeded.origin_x, p.z[i] + run.seeded.origin_z};
-    if (!is_inside(polygon, at)) kept.push_back(static_cast<std::int32_t>(i));
-  }
-  const std::size_t removed = p.count - kept.size();
-  if (removed > 0) p.reorder(kept);
-  run.since_sort = 0;
+  Particles particles = particles_of(run.model);
+  const std::size_t removed = std::erase_if(particles, [&](const Particle& p) {
+    return is_inside(polygon, {p.x + run.seeded.origin_x, p.z + run.seeded.origin_z});
+  });
+  if (removed > 0) take_particles(run, particles);
   return removed;
 }
 

@@ -17,24 +17,26 @@ struct Freedom {
 /// Unknowns run column by column from left to right, upwards in each, x before z: a particle
 /// joins three columns of nodes, so every coupling lies within two columns.
 struct Freedoms {
+  std::size_t rows = 0;              ///< of the grid
   std::vector<Freedom> of;           ///< [columns][rows][2 axes]
   std::vector<std::int32_t> first;   ///< of each column of the grid, and one past the last
   std::vector<std::int32_t> row_of;  ///< of the node that an unknown moves
 
   std::int32_t count() const { return first.back(); }
-  const Freedom* at(const Grid& grid, std::size_t column, std::size_t row) const {
-    return &of[grid.index(column, row) * 2];
+  const Freedom* at(std::size_t column, std::size_t row) const {
+    return &of[(column * rows + row) * 2];
   }
+  Freedom* at(std::size_t column, std::size_t row) { return &of[(column * rows + row) * 2]; }
 };
 
-/// Numbers the nodes that carry mass; edges and image nodes as in boundary.hpp.
-/// @pre particles_to_grid and update_velocity have left the nodes' masses in the grid
-Freedoms number_freedoms(const Grid& grid);
+/// Numbers the nodes that carry mass; edges and ghost nodes as in kernel/grid_update-inl.hpp.
+/// @pre a balance of the nodes has left their masses in the grid
+Freedoms number_freedoms(Grid<double>& grid);
 
-/// Spreads a displacement of the unknowns (m) to grid.velocity, images included.
-void set_displacement(const Freedoms& freedoms, const double* displacement, Grid& grid);
+/// Puts a displacement of the unknowns (m) on the nodes as a velocity, ghost nodes included.
+void set_displacement(const Freedoms& freedoms, const double* displacement, Grid<double>& grid);
 
-/// Unbalanced force on each unknown (N per metre), as update_velocity leaves it in the grid.
-void gather_force(const Freedoms& freedoms, const Grid& grid, double* force);
+/// Unbalanced force on each unknown (N per metre), as a balance of the nodes leaves it in the grid.
+void gather_force(const Freedoms& freedoms, Grid<double>& grid, double* force);
 
 }  // namespace leda::solver

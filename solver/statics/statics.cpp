@@ -1,10 +1,10 @@
 #include "solver/statics/statics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
-#include "solver/kernel/sort_particles.hpp"
-#include "solver/kernel/transfer.hpp"
 #include "solver/section/section.hpp"
 #include "solver/statics/accelerator.hpp"
 #include "solver/statics/stiffness.hpp"
@@ -23,80 +23,95 @@ constexpr double most_bytes = 1e9;
 // no balance shows by growing without end.
 constexpr double most_gradient = 0.5;
 
-// The arrays of a particle that a stress update changes and a new trial starts from.
-struct StressState {
-  std::vector<double> sxx, szz, sxz, syy, plastic_strain;
-
-  explicit StressState(const Particles& p)
-      : sxx(p.sxx), szz(p.szz), sxz(p.sxz), syy(p.syy), plastic_strain(p.plastic_strain) {}
-
-  void restore(Particles& p) const {
-    p.sxx = sxx;
-    p.szz = szz;
-    p.sxz = sxz;
-    p.syy = syy;
-    p.plastic_strain = plastic_strain;
+// What a stress update changes and a new trial starts from.
+class StressState {
+ public:
+  explicit StressState(const Packs<double>& packs) : kept_(packs.pack.size()) {
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      for (std::size_t n = 0; n < numbers.size(); ++n) {
+        std::ranges::copy(packs.pack[i].*numbers[n], kept_[i][n].begin());
+      }
+    }
   }
+
+  void restore(Packs<double>& packs) const {
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      for (std::size_t n = 0; n < numbers.size(); ++n) {
+        std::ranges::copy(kept_[i][n], packs.pack[i].*numbers[n]);
+      }
+    }
+  }
+
+ private:
+  using P = Pack<double>;
+  static constexpr std::array numbers = {
+      &P::sxx, &P::szz, &P::sxz, &P::syy, &P::plastic_strain, &P::plastic_rest};
+  std::vector<std::array<std::array<double, P::lanes>, numbers.size()>> kept_;
 };
 
-GridSums unbalanced(const Particles& particles, Grid& grid) {
-  clear(grid);
-  particles_to_grid(particles, grid);
-  return update_velocity(grid, {0.0, gravity, 0.0});
+// The unbalanced force is left in the grid, whose sums are zero then.
+GridSums unbalanced(Model<double>& model, ThreadTeam& team) {
+  return balance_nodes(model, {0.0, gravity, 0.0, false}, team);
 }
 
-double largest_gradient(const Particles& p) {
+// Of the displacement at the points.
+double largest_gradient(const Model<double>& model) {
   double largest = 0;
-  for (const auto* c : {&p.cxx, &p.cxz, &p.czx, &p.czz}) {
-    for (std::size_t i = 0; i < p.count; ++i) largest = std::max(largest, std::abs((*c)[i]));
+  for (std::size_t i = 0; i < model.packs.motion.size(); ++i) {
+    if (model.packs.taken[i] == 0) continue;
+    const PackMotion<double>& m = model.packs.motion[i];
+    for (const auto* c : {m.cxx, m.cxz, m.czx, m.czz}) {
+      for (std::size_t l = 0; l < Pack<double>::lanes; ++l) {
+        largest = std::max(largest, std::abs(c[l]));
+      }
+    }
   }
-  return largest;
+  return largest / model.grid.h;
 }
 
 }  // namespace
 
-std::optional<Statics> Statics::prepare(Particles& particles, Grid& grid, const LawTable& laws) {
-  if (!sort_particles(particles, grid)) return {};
-  unbalanced(particles, grid);
-  Freedoms freedoms = number_freedoms(grid);
+std::optional<Statics> Statics::prepare(Model<double>& model, const LawTable& laws,
+                                        ThreadTeam& team) {
+  unbalanced(model, team);
+  Freedoms freedoms = number_freedoms(model.grid);
   if (freedoms.count() == 0 || ColumnMatrix::bytes(freedoms) > most_bytes) return {};
-  ColumnMatrix factor = elastic_stiffness(particles, laws, grid, freedoms, filling);
+  ColumnMatrix factor = elastic_stiffness(model, laws, freedoms, filling);
   if (!factor.factorize()) return {};
   return Statics(std::move(freedoms), std::move(factor));
 }
 
-StaticBalance Statics::balance(Particles& particles, Grid& grid, const LawTable& laws,
+StaticBalance Statics::balance(Model<double>& model, ThreadTeam& team,
                                const std::function<bool()>& interrupted) const {
   using Vector = ColumnMatrix::Vector;
   using End = StaticBalance::End;
   StaticBalance result;
-  const StressState start(particles);
+  const StressState start(model.packs);
   Accelerator accelerator(freedoms_.count(), remembered);
-  unbalanced(particles, grid);  // averages of the grid belong to the positions
   Vector displacement = Vector::Zero(freedoms_.count()), force(freedoms_.count());
   for (; result.rounds < most_rounds; ++result.rounds) {
     if (interrupted && interrupted()) {
       result.end = End::interrupted;
       break;
     }
-    start.restore(particles);
-    set_displacement(freedoms_, displacement.data(), grid);
+    start.restore(model.packs);
+    set_displacement(freedoms_, displacement.data(), model.grid);
     // Displacement as a velocity over one second: the transfers of a step, nothing of its own.
-    grid_to_particles(particles, grid, laws, 1.0, false);
-    const GridSums sums = unbalanced(particles, grid);
+    move_points(model, {1.0, 0.0, 0.0, false}, true, team);
+    const GridSums sums = unbalanced(model, team);
     result.ratio = sums.weight > 0 ? sums.unbalanced_force / sums.weight : 0.0;
-    if (!(largest_gradient(particles) < most_gradient) || !std::isfinite(result.ratio)) break;
+    if (!(largest_gradient(model) < most_gradient) || !std::isfinite(result.ratio)) break;
     const bool last = result.rounds + 1 == most_rounds;
     if (result.ratio < aimed_ratio || (last && result.ratio < accepted_ratio)) {
       result.end = End::balanced;
       return result;
     }
-    gather_force(freedoms_, grid, force.data());
+    gather_force(freedoms_, model.grid, force.data());
     Vector correction = force;
     factor_.solve(correction);
     displacement = accelerator.next(displacement, correction, force);
   }
-  start.restore(particles);
+  start.restore(model.packs);
   return result;
 }
 

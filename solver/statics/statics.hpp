@@ -4,9 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "solver/kernel/grid_update.hpp"
-#include "solver/kernel/particles.hpp"
-#include "solver/materials/law_table.hpp"
+#include "solver/kernel/model.hpp"
 #include "solver/statics/column_matrix.hpp"
 #include "solver/statics/freedoms.hpp"
 
@@ -16,7 +14,7 @@ namespace leda::solver {
 struct StaticBalance {
   enum class End { balanced, given_up, interrupted };
   End end = End::given_up;
-  double ratio = 1;  ///< unbalanced force over weight, as update_velocity measures both
+  double ratio = 1;  ///< unbalanced force over weight
   int rounds = 0;    ///< stress updates of all particles
 };
 
@@ -27,14 +25,17 @@ struct StaticBalance {
 /// where there is one. Positions are held.
 class Statics {
  public:
-  /// @return nothing where the factor would take more than 1 GB, a particle lies outside the
-  ///   grid, or the stiffness is not positive definite
-  static std::optional<Statics> prepare(Particles& particles, Grid& grid, const LawTable& laws);
+  /// @return nothing where the factor would take more than 1 GB or the stiffness is not positive
+  ///   definite
+  /// @pre the grid of the model keeps forces; no point has strayed
+  static std::optional<Statics> prepare(Model<double>& model, const LawTable& laws,
+                                        ThreadTeam& team);
 
-  /// Balanced: stress and plastic strain are the new ones. Otherwise the particles are as they
-  /// were. Velocities are overwritten in either case.
-  /// @param laws without softening and rate  @param interrupted asked once a round, may be empty
-  StaticBalance balance(Particles& particles, Grid& grid, const LawTable& laws,
+  /// Balanced: stress and plastic strain are the new ones. Otherwise the points are as they
+  /// were. The sums of the grid have to be made anew in either case.
+  /// @param interrupted asked once a round, may be empty
+  /// @pre the model's laws have no softening and no rate
+  StaticBalance balance(Model<double>& model, ThreadTeam& team,
                         const std::function<bool()>& interrupted) const;
 
  private:

@@ -1,7 +1,10 @@
 #include "solver/statics/stiffness.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace leda::solver {
 
@@ -10,7 +13,7 @@ namespace {
 constexpr std::size_t nodes = 9, axes = 2;
 
 // Slopes of the nine splines at a point, column by column, 1/m; `f` is the distance from the
-// lowest node in cells (0.5 to 1.5), as in spline-inl.hpp.
+// lowest node in cells (0.5 to 1.5).
 struct Slopes {
   std::array<double, nodes> x, z;
 };
@@ -108,36 +111,71 @@ void fill(SpanStiffness& span, double h, double volume, double shear, double bul
   }
 }
 
+// A point by the row of its home cell.
+struct PointInRow {
+  std::uint32_t row;
+  std::size_t pack, lane;
+};
+
+// The points of a column from the lowest row up.
+std::vector<PointInRow> points_of(const Packs<double>& packs, std::uint32_t column) {
+  std::vector<PointInRow> points;
+  const PackGroup& group = packs.group[column / columns_of_a_group];
+  for (std::size_t i = group.first; i < group.end(); ++i) {
+    if (packs.place[i].column != column) continue;
+    for (std::size_t l = 0; l < Pack<double>::lanes; ++l) {
+      if ((packs.taken[i] >> l & 1U) == 0) continue;
+      points.push_back(
+          {packs.place[i].row + static_cast<std::uint32_t>(l % Pack<double>::rows), i, l});
+    }
+  }
+  std::ranges::stable_sort(points, {}, &PointInRow::row);
+  return points;
+}
+
+// Stiffness of the points of one span, `first` to `last` - 1.
+SpanStiffness span_of(const Model<double>& model, const LawTable& laws,
+                      std::span<const PointInRow> points, double filling) {
+  const Packs<double>& packs = model.packs;
+  const double h = model.grid.h;
+  const bool averages = model.grid.averages();
+  SpanStiffness span;
+  const auto law_of = [&](const PointInRow& at) {
+    return static_cast<std::size_t>(packs.pack[at.pack].law[at.lane]);
+  };
+  const std::size_t first = law_of(points.front());
+  fill(span, h, filling * h * h, laws.shear[first], laws.bulk[first]);
+  for (const PointInRow& at : points) {
+    const Pack<double>& p = packs.pack[at.pack];
+    const std::size_t law = law_of(at);
+    const Slopes slopes = slopes_at(p.x[at.lane] + 0.5, p.z[at.lane] + 0.5, h);
+    if (averages) {
+      span.add_averaged(slopes, p.volume[at.lane], laws.shear[law], laws.bulk[law]);
+    } else {
+      span.add(slopes, p.volume[at.lane], laws.shear[law], laws.bulk[law]);
+    }
+  }
+  if (averages) span.add_mean_dilation();
+  return span;
+}
+
 }  // namespace
 
-ColumnMatrix elastic_stiffness(const Particles& p, const LawTable& laws, const Grid& grid,
+ColumnMatrix elastic_stiffness(const Model<double>& model, const LawTable& laws,
                                const Freedoms& freedoms, double filling) {
   ColumnMatrix matrix(freedoms);
-  const double per_h = 1 / grid.h;
-  const auto column = [&](std::size_t i) { return std::floor(p.x[i] * per_h + 0.5); };
-  const auto row = [&](std::size_t i) { return std::floor(p.z[i] * per_h + 0.5); };
-  for (std::size_t i = 0; i < p.count;) {
-    const double c = column(i), r = row(i);
-    SpanStiffness span;
-    const auto first = static_cast<std::size_t>(p.law[i]);
-    fill(span, grid.h, filling * grid.h * grid.h, laws.shear[first], laws.bulk[first]);
-    for (; i < p.count && column(i) == c && row(i) == r; ++i) {
-      const auto law = static_cast<std::size_t>(p.law[i]);
-      const Slopes slopes = slopes_at(p.x[i] * per_h + 1 - c, p.z[i] * per_h + 1 - r, grid.h);
-      if (grid.averages()) {
-        span.add_averaged(slopes, p.volume[i], laws.shear[law], laws.bulk[law]);
-      } else {
-        span.add(slopes, p.volume[i], laws.shear[law], laws.bulk[law]);
+  for (std::uint32_t c = 0; c < model.grid.columns; ++c) {
+    const std::vector<PointInRow> points = points_of(model.packs, c);
+    for (std::size_t i = 0, next = 0; i < points.size(); i = next) {
+      const std::uint32_t row = points[i].row;
+      while (next < points.size() && points[next].row == row) ++next;
+      std::array<Freedom, nodes * axes> at;
+      for (std::size_t n = 0; n < nodes * axes; ++n) {
+        const std::size_t node = n / axes;
+        at[n] = freedoms.at(c + node / 3, row + node % 3)[n % axes];
       }
+      span_of(model, laws, std::span(points).subspan(i, next - i), filling).add_to(matrix, at);
     }
-    if (grid.averages()) span.add_mean_dilation();
-    std::array<Freedom, nodes * axes> at;
-    for (std::size_t n = 0; n < nodes * axes; ++n) {
-      const std::size_t node = n / axes;
-      at[n] = freedoms.at(grid, static_cast<std::size_t>(c) + node / 3,
-                          static_cast<std::size_t>(r) + node % 3)[n % axes];
-    }
-    span.add_to(matrix, at);
   }
   return matrix;
 }

@@ -1,8 +1,7 @@
 #pragma once
 // Elastic stiffness of the ground as the transfers of the solver see it, positions held.
 
-#include "solver/kernel/particles.hpp"
-#include "solver/materials/law_table.hpp"
+#include "solver/kernel/model.hpp"
 #include "solver/statics/column_matrix.hpp"
 #include "solver/statics/freedoms.hpp"
 
@@ -16,8 +15,8 @@ namespace leda::solver {
 /// @param filling this share of a full cell's stiffness is added to every span that holds a
 ///   particle, so that nodes which few particles hold have a stiffness too. K only guides the
 ///   iteration, the balance it finds does not depend on this.
-/// @pre particles are sorted
-ColumnMatrix elastic_stiffness(const Particles& particles, const LawTable& laws, const Grid& grid,
+/// @param laws whose moduli count  @pre no point has strayed
+ColumnMatrix elastic_stiffness(const Model<double>& model, const LawTable& laws,
                                const Freedoms& freedoms, double filling);
 
 }  // namespace leda::solver

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "db/frame_fields.hpp"
+#include "solver/section/frame.hpp"
 #include "solver/section/frame.hpp"
 
 namespace leda::db::samples {

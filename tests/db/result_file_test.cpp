@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "db/frame_fields.hpp"
+#include "solver/section/frame.hpp"
 #include "tests/db/frames.hpp"
 #include "tests/db/samples.hpp"
 

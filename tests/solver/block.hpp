@@ -1,12 +1,15 @@
 #pragma once
 // A rectangular block of particles of one elastic or Tresca material, for tests of the step.
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <functional>
 #include <limits>
 
-#include "solver/kernel/sort_particles.hpp"
-#include "solver/kernel/step.hpp"
+#include "solver/kernel/model.hpp"
+#include "solver/kernel/pack_particles.hpp"
+#include "tests/solver/precisions.hpp"
 
 namespace leda::solver::test {
 
@@ -29,56 +32,91 @@ inline LawTable one_law(const BlockMaterial& m) {
 }
 
 /// Particles per_side x per_side a cell over [x0, x0 + length] x [z0, z0 + height].
+template <class Real = double>
 struct Block {
-  Particles particles;
-  Grid grid;
+  Particles particles;  ///< in the order of their ids, column by column
+  Particles start;      ///< as they were seeded
+  GridSize size;
   LawTable laws;
+  ModelSettings settings;
 
   Block(double h, double model_length, double model_height, double x0, double z0, double length,
         double height, const BlockMaterial& material, int per_side = 2)
-      : grid(make_grid(h, model_length, model_height)), laws(one_law(material)) {
+      : size(grid_over(h, model_length, model_height)), laws(one_law(material)) {
     const double spacing = h / per_side;
     const auto columns = std::lround(length / spacing), rows = std::lround(height / spacing);
     for (long i = 0; i < columns; ++i) {
       for (long j = 0; j < rows; ++j) {
-        particles.x.push_back(x0 + (static_cast<double>(i) + 0.5) * spacing);
-        particles.z.push_back(z0 + (static_cast<double>(j) + 0.5) * spacing);
+        Particle p;
+        p.x = x0 + (static_cast<double>(i) + 0.5) * spacing;
+        p.z = z0 + (static_cast<double>(j) + 0.5) * spacing;
+        p.mass = material.density * spacing * spacing;
+        p.volume = spacing * spacing;
+        p.id = static_cast<std::int32_t>(particles.size());
+        particles.push_back(p);
       }
     }
-    const std::size_t n = particles.x.size();
-    particles.start_x = particles.x;
-    particles.start_z = particles.z;
-    particles.mass.assign(n, material.density * spacing * spacing);
-    particles.volume.assign(n, spacing * spacing);
-    particles.resize(n);
-    for (std::size_t i = 0; i < n; ++i) particles.id[i] = static_cast<std::int32_t>(i);
-    particles.fill_padding();
-    sort_particles(particles, grid);
+    start = particles;
+    settings.rests = false;
   }
 
-  double time_step(double factor = 0.4) const { return factor * grid.h / laws.stiffest_speed; }
+  double time_step(double factor = 0.4) const { return factor * size.h / laws.stiffest_speed; }
 
-  void run(
-      int steps, const StepSettings& settings, const std::function<void(int)>& look = [](int) {}) {
-    for (int i = 0; i < steps; ++i) {
-      if (i % 10 == 0) sort_particles(particles, grid);
-      step(particles, grid, laws, settings);
-      look(i + 1);
+  Model<Real> model() const {
+    auto made = make_model<Real>(particles, size, laws, settings);
+    EXPECT_TRUE(made);
+    return std::move(*made);
+  }
+
+  /// `look`, where there is one, sees the particles after every step.
+  void run(int steps, const StepSettings& step_settings,
+           const std::function<void(int)>& look = nullptr) {
+    Model<Real> m = model();
+    ThreadTeam team(1);
+    for (int i = 1; i <= steps; ++i) {
+      if (i % 10 == 0) {
+        ASSERT_TRUE(tidy_up(m));
+      }
+      step(m, step_settings, look || i == steps, team);
+      if (!look) continue;
+      particles = unpack(m.packs, size.h);
+      look(i);
     }
+    particles = unpack(m.packs, size.h);
   }
+};
 
-  /// Imposes a uniform velocity gradient for one step, past the momentum balance.
-  void strain(double lxx, double lxz, double lzx, double lzz, double dt) {
-    for (std::size_t i = 0; i < grid.columns; ++i) {
-      for (std::size_t k = 0; k < grid.rows; ++k) {
-        const double x = (static_cast<double>(i) - 1) * grid.h;
-        const double z = (static_cast<double>(k) - 1) * grid.h;
-        grid.velocity[grid.index(i, k) * 2] = lxx * x + lxz * z;
-        grid.velocity[grid.index(i, k) * 2 + 1] = lzx * x + lzz * z;
+/// A block whose nodes are moved by hand, past the momentum balance; its points do not move.
+template <class Real = double>
+struct Element {
+  Model<Real> model;
+  ThreadTeam team{1};
+
+  explicit Element(const Block<Real>& block) : model(block.model()) {}
+
+  /// Velocity of every node by its place, m/s.
+  template <class Field>
+  PointSums strain(double dt, const Field& velocity) {
+    for (std::size_t i = 0; i < model.grid.columns; ++i) {
+      for (std::size_t k = 0; k < model.grid.rows; ++k) {
+        const auto [vx, vz] = velocity((static_cast<double>(i) - 1) * model.grid.h,
+                                       (static_cast<double>(k) - 1) * model.grid.h);
+        *model.grid.velocity_at(i, k) = static_cast<Real>(vx);
+        *(model.grid.velocity_at(i, k) + model.grid.stride) = static_cast<Real>(vz);
       }
     }
-    grid_to_particles(particles, grid, laws, dt, false);
+    const PointSums sums = move_points(model, {dt, 0, 0, false}, true, team);
+    std::ranges::fill(model.grid.sums, Real{0});
+    return sums;
   }
+
+  /// A uniform velocity gradient.
+  PointSums strain(double lxx, double lxz, double lzx, double lzz, double dt) {
+    return strain(
+        dt, [&](double x, double z) { return std::pair(lxx * x + lxz * z, lzx * x + lzz * z); });
+  }
+
+  Particles particles() const { return unpack(model.packs, model.grid.h); }
 };
 
 }  // namespace leda::solver::test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/run/initial_stress.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {
@@ -96,13 +97,28 @@ TEST(Checkpoint, BytesThatAreNoStateOfTheRunAreRefused) {
   RunState run;
   run.settings = &settings;
   run.seeded = seed_particles(section, settings.resolution);
+  begin_quiet(run);
   EXPECT_FALSE(load_state("", run));
   EXPECT_FALSE(load_state("nonsense of some length, longer than the header", run));
   EXPECT_FALSE(load_state(first.state.substr(0, first.state.size() / 2), run));
   EXPECT_FALSE(load_state(first.state + "x", run));
+  // A program that holds other numbers, or calls them otherwise, is told by what the bytes hold.
+  for (const std::string name : {"plastic_strain", "packs.pack", "audit.kinetic_peak"}) {
+    std::string renamed = first.state;
+    const std::size_t at = renamed.find(name);
+    ASSERT_NE(at, std::string::npos) << name;
+    renamed[at] = 'q';
+    EXPECT_FALSE(load_state(renamed, run)) << name;
+  }
+  const std::size_t size_of_pack =
+      first.state.find("packs.pack") + std::string("packs.pack").size();
+  std::string wider = first.state;
+  ++wider[size_of_pack];
+  EXPECT_FALSE(load_state(wider, run));
   RunState other;
   other.settings = &settings;
   other.seeded = seed_particles(bank(5, 30, 25e3), with_frames().resolution);
+  begin_quiet(other);
   EXPECT_FALSE(load_state(first.state, other));
   EXPECT_TRUE(load_state(first.state, run));
   EXPECT_TRUE(run.resumed);

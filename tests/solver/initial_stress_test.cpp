@@ -10,20 +10,13 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/kernel/sort_particles.hpp"
-#include "solver/kernel/transfer.hpp"
 #include "solver/statics/statics.hpp"
 #include "solver/statics/stiffness.hpp"
 #include "tests/solver/bank.hpp"
+#include "tests/solver/moving_bank.hpp"
 
 namespace leda::solver::test {
 namespace {
-
-GridSums sums_of(Seeded& seeded) {
-  clear(seeded.grid);
-  particles_to_grid(seeded.particles, seeded.grid);
-  return update_velocity(seeded.grid, {0.0, gravity, 0.0});
-}
 
 // One run through the quiet stages.
 struct Quiet {
@@ -39,43 +32,43 @@ struct Quiet {
     run.settings = &settings;
     run.listener = &listener;
     run.seeded = seed_particles(section, settings.resolution);
+    begin_quiet(run);
     const auto began = std::chrono::steady_clock::now();
     end = find_initial_stress(run, method);
     time_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   }
   double unbalanced_ratio() {
-    const GridSums sums = sums_of(run.seeded);
+    auto& model = std::get<Model<double>>(run.model);
+    spread_anew(model);
+    const GridSums sums = balance_nodes(model, {0.0, gravity, 0.0, false}, *run.team);
     return sums.unbalanced_force / sums.weight;
   }
+  Particles particles() const { return particles_of(run.model); }
 };
 
 // Root mean square, over particles and the four stresses, of the difference as a share of s_up.
-double difference(const Quiet& a, const Quiet& b) {
-  const Particles &p = a.run.seeded.particles, &q = b.run.seeded.particles;
-  std::vector<std::size_t> place(p.count);
-  for (std::size_t i = 0; i < p.count; ++i) place[static_cast<std::size_t>(p.id[i])] = i;
+double stress_difference(const Quiet& a, const Quiet& b) {
+  const Particles p = a.particles(), q = b.particles();
   double squares = 0;
-  for (std::size_t j = 0; j < q.count; ++j) {
-    const std::size_t i = place[static_cast<std::size_t>(q.id[j])];
-    const double strength = a.run.seeded.laws.peak[static_cast<std::size_t>(p.law[i])];
-    for (const double d :
-         {p.sxx[i] - q.sxx[j], p.szz[i] - q.szz[j], p.sxz[i] - q.sxz[j], p.syy[i] - q.syy[j]}) {
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const double strength = a.run.seeded.laws.peak[static_cast<std::size_t>(p[i].law)];
+    for (const auto stress : {&Particle::sxx, &Particle::szz, &Particle::sxz, &Particle::syy}) {
+      const double d = p[i].*stress - q[i].*stress;
       squares += d * d / (strength * strength);
     }
   }
-  return std::sqrt(squares / (4 * static_cast<double>(q.count)));
+  return std::sqrt(squares / (4 * static_cast<double>(q.size())));
 }
 
 // Largest excess of 2 s_up over all particles, as a share of s_up.
 double overstress(const Quiet& quiet) {
-  const Particles& p = quiet.run.seeded.particles;
   double worst = 0;
-  for (std::size_t i = 0; i < p.count; ++i) {
-    const double strength = quiet.run.seeded.laws.peak[static_cast<std::size_t>(p.law[i])];
-    const double centre = (p.sxx[i] + p.szz[i]) / 2;
-    const double radius = std::hypot((p.sxx[i] - p.szz[i]) / 2, p.sxz[i]);
-    const double high = std::max(centre + radius, p.syy[i]);
-    const double low = std::min(centre - radius, p.syy[i]);
+  for (const Particle& p : quiet.particles()) {
+    const double strength = quiet.run.seeded.laws.peak[static_cast<std::size_t>(p.law)];
+    const double centre = (p.sxx + p.szz) / 2;
+    const double radius = std::hypot((p.sxx - p.szz) / 2, p.sxz);
+    const double high = std::max(centre + radius, p.syy);
+    const double low = std::min(centre - radius, p.syy);
     worst = std::max(worst, (high - low - 2 * strength) / strength);
   }
   return worst;
@@ -110,22 +103,24 @@ TEST_P(Stiffness, IsTheDerivativeOfTheForce) {
   section.ground = {{0, 4}, {6, 4}, {10, 0}, {14, 0}};
   RunSettings settings = coarse();
   Seeded seeded = seed_particles(section, settings.resolution);
-  Particles& p = seeded.particles;
-  for (auto* stress : {&p.sxx, &p.szz, &p.syy}) std::fill(stress->begin(), stress->end(), 0.0);
-  ASSERT_TRUE(sort_particles(p, seeded.grid));
-  sums_of(seeded);
-  const Freedoms freedoms = number_freedoms(seeded.grid);
-  ColumnMatrix factor = elastic_stiffness(p, seeded.laws, seeded.grid, freedoms, 0.0);
+  for (Particle& p : seeded.particles) p.sxx = p.szz = p.syy = 0;
+  auto model =
+      model_of<double>(seeded, {.averages = seeded.averages, .keeps_force = true, .rests = false});
+  ThreadTeam team(1);
+  const StepSettings still{0.0, gravity, 0.0, false};
+  balance_nodes(model, still, team);
+  const Freedoms freedoms = number_freedoms(model.grid);
+  ColumnMatrix factor = elastic_stiffness(model, seeded.laws, freedoms, 0.0);
   ASSERT_TRUE(factor.factorize());
-  const LawTable elastic = without_softening(seeded.laws, true);
-  const Particles unstressed = p;
+  take_laws(model, without_softening(seeded.laws, true));
+  const Packs<double> unstressed = model.packs;
   const auto force_at = [&](const Eigen::VectorXd& displacement) {
-    p = unstressed;
-    set_displacement(freedoms, displacement.data(), seeded.grid);
-    grid_to_particles(p, seeded.grid, elastic, 1.0, false);
-    sums_of(seeded);
+    model.packs = unstressed;
+    set_displacement(freedoms, displacement.data(), model.grid);
+    move_points(model, {1.0, 0.0, 0.0, false}, false, team);
+    balance_nodes(model, still, team);
     Eigen::VectorXd force(freedoms.count());
-    gather_force(freedoms, seeded.grid, force.data());
+    gather_force(freedoms, model.grid, force.data());
     return force;
   };
   const Eigen::Index n = freedoms.count();
@@ -152,7 +147,7 @@ TEST(InitialStress, DirectAndRelaxedAgreeOnABank) {
   EXPECT_LT(direct.unbalanced_ratio(), 1.1e-6);
   EXPECT_LT(relaxed.unbalanced_ratio(), 1e-4);
   EXPECT_LT(overstress(direct), 1e-9);
-  EXPECT_LT(difference(direct, relaxed), 0.01);
+  EXPECT_LT(stress_difference(direct, relaxed), 0.01);
   EXPECT_LT(direct.time_s, 0.5 * relaxed.time_s);  // about a tenth; half even when disturbed
 }
 
@@ -163,7 +158,7 @@ TEST(InitialStress, DirectAndRelaxedAgreeOnEffectiveK0Of08) {
   EXPECT_EQ(direct.run.steps, 0);
   EXPECT_LT(direct.unbalanced_ratio(), 1.1e-6);
   EXPECT_LT(overstress(direct), 1e-9);
-  EXPECT_LT(difference(direct, relaxed), 0.01);
+  EXPECT_LT(stress_difference(direct, relaxed), 0.01);
 }
 
 // Near the limit the stress in yielding ground depends on the way there: many small steps with
@@ -176,7 +171,7 @@ TEST(InitialStress, ABankNearItsLimitFindsItsBalance) {
   EXPECT_EQ(direct.run.steps, 0);
   EXPECT_LT(direct.unbalanced_ratio(), 1.1e-6);
   EXPECT_LT(overstress(direct), 1e-9);
-  EXPECT_LT(difference(direct, relaxed), 0.06);
+  EXPECT_LT(stress_difference(direct, relaxed), 0.06);
 }
 
 TEST(InitialStress, FlatLayersKeepTheirWeight) {
@@ -184,13 +179,12 @@ TEST(InitialStress, FlatLayersKeepTheirWeight) {
   Quiet direct(section, QuietMethod::direct);
   EXPECT_EQ(direct.run.steps, 0);
   EXPECT_LT(direct.unbalanced_ratio(), 1.1e-6);
-  const Particles& p = direct.run.seeded.particles;
-  for (std::size_t i = 0; i < p.count; ++i) {
-    const Point at{p.x[i] + direct.run.seeded.origin_x, p.z[i] + direct.run.seeded.origin_z};
+  for (const Particle& p : direct.particles()) {
+    const Point at{p.x + direct.run.seeded.origin_x, p.z + direct.run.seeded.origin_z};
     const double weight = overburden(section, at);
     // A layer of particles stands for its own weight in one point: within the weight of one.
-    EXPECT_NEAR(-p.szz[i], weight, 18e3 * direct.run.seeded.spacing);
-    EXPECT_NEAR(p.sxz[i], 0, 10);
+    EXPECT_NEAR(-p.szz, weight, 18e3 * direct.run.seeded.spacing);
+    EXPECT_NEAR(p.sxz, 0, 10);
   }
 }
 
@@ -209,32 +203,36 @@ TEST(InitialStress, ABankThatCannotStandFallsBackOnTheRelaxationAndSaysSo) {
   ASSERT_EQ(relaxed.run.warnings.size(), 1U);
   EXPECT_NE(direct.run.warnings[0].find("slides without softening"), std::string::npos);
   EXPECT_GT(direct.run.steps, 1000);
-  EXPECT_LT(difference(direct, relaxed), 0.01);
+  EXPECT_LT(stress_difference(direct, relaxed), 0.01);
 }
 
 TEST(InitialStress, NothingMovesAndNoStrainIsLeft) {
-  Quiet direct(bank(10, 30, 40e3), QuietMethod::direct);
-  const Particles& p = direct.run.seeded.particles;
-  for (std::size_t i = 0; i < p.count; ++i) {
-    EXPECT_EQ(p.x[i], p.start_x[i]);
-    EXPECT_EQ(p.z[i], p.start_z[i]);
-    EXPECT_EQ(p.vx[i], 0);
-    EXPECT_EQ(p.czz[i], 0);
-    EXPECT_EQ(p.plastic_strain[i], 0);
+  const Section section = bank(10, 30, 40e3);
+  const Particles seeds = seed_particles(section, coarse().resolution).particles;
+  const Particles found = Quiet(section, QuietMethod::direct).particles();
+  ASSERT_EQ(found.size(), seeds.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i].x, seeds[i].x, 1e-12);
+    EXPECT_NEAR(found[i].z, seeds[i].z, 1e-12);
+    EXPECT_EQ(found[i].volume, seeds[i].volume);
+    EXPECT_EQ(found[i].vx, 0);
+    EXPECT_EQ(found[i].czz, 0);
+    EXPECT_EQ(found[i].plastic_strain, 0);
   }
 }
 
-TEST(Statics, AnInterruptionLeavesTheParticlesAsTheyWere) {
-  Seeded seeded = seed_particles(bank(10, 30, 40e3), coarse().resolution);
-  const auto statics = Statics::prepare(seeded.particles, seeded.grid, seeded.laws);
+TEST(Statics, AnInterruptionLeavesThePointsAsTheyWere) {
+  const Seeded seeded = seed_particles(bank(10, 30, 40e3), coarse().resolution);
+  auto model = model_of<double>(seeded, {.keeps_force = true, .rests = false});
+  ThreadTeam team(1);
+  const auto statics = Statics::prepare(model, seeded.laws, team);
   ASSERT_TRUE(statics);
-  const auto before = seeded.particles.szz;
+  take_laws(model, without_softening(seeded.laws, true));
+  const Particles before = particles_of(model);
   int asked = 0;
-  const auto found =
-      statics->balance(seeded.particles, seeded.grid, without_softening(seeded.laws, true),
-                       [&] { return ++asked == 2; });
+  const auto found = statics->balance(model, team, [&] { return ++asked == 2; });
   EXPECT_EQ(found.end, StaticBalance::End::interrupted);
-  EXPECT_EQ(seeded.particles.szz, before);
+  EXPECT_EQ(difference(particles_of(model), before, &Particle::szz), 0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "tests/solver/block.hpp"
@@ -9,40 +10,34 @@
 namespace leda::solver::test {
 namespace {
 
-Block block() { return Block(0.5, 4, 4, 1, 1, 2, 2, {}); }
+Block<float> block() { return Block<float>(0.5, 4, 4, 1, 1, 2, 2, {}); }
 
 TEST(LastGood, GivesEveryParticleItsOwnStateBackWhateverTheOrder) {
   Block b = block();
-  Particles& p = b.particles;
-  for (std::size_t i = 0; i < p.count; ++i) p.sxx[i] = 100 + p.id[i];
+  for (Particle& p : b.particles) p.sxx = 100 + p.id;
   LastGood good;
-  ASSERT_TRUE(good.keep(p, 1.5));
-  std::vector<std::int32_t> backwards(p.count);
-  for (std::size_t i = 0; i < p.count; ++i) {
-    backwards[i] = static_cast<std::int32_t>(p.count - 1 - i);
-  }
-  p.reorder(backwards);
-  for (auto* array : {&p.x, &p.z, &p.vx, &p.sxx}) {
-    std::fill(array->begin(), array->end(), std::numeric_limits<double>::quiet_NaN());
-  }
-  EXPECT_EQ(good.restore(p), 1.5);
-  for (std::size_t i = 0; i < p.count; ++i) {
-    EXPECT_EQ(p.sxx[i], 100 + p.id[i]);
-    EXPECT_EQ(p.vx[i], 0);
-    EXPECT_FLOAT_EQ(static_cast<float>(p.x[i]), static_cast<float>(p.start_x[i]));
+  ASSERT_TRUE(good.keep(b.model(), 1.5));
+  Particles broken = b.particles;
+  std::ranges::reverse(broken);
+  for (Particle& p : broken) p.x = p.z = p.vx = p.sxx = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(good.restore(broken), 1.5);
+  for (const Particle& p : broken) {
+    EXPECT_EQ(p.sxx, 100 + p.id);
+    EXPECT_EQ(p.vx, 0);
+    EXPECT_FLOAT_EQ(static_cast<float>(p.x),
+                    static_cast<float>(b.start[static_cast<std::size_t>(p.id)].x));
   }
 }
 
 TEST(LastGood, KeepsWhatItHasWhereAValueIsNotFinite) {
   Block b = block();
   LastGood good;
-  ASSERT_TRUE(good.keep(b.particles, 1));
+  ASSERT_TRUE(good.keep(b.model(), 1));
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e300}) {
-    for (auto array :
-         {&Particles::x, &Particles::vz, &Particles::syy, &Particles::plastic_strain}) {
-      Block broken = block();
-      (broken.particles.*array)[3] = bad;
-      EXPECT_FALSE(good.keep(broken.particles, 2));
+    for (auto number : {&Particle::vz, &Particle::syy, &Particle::plastic_strain}) {
+      Block<double> broken(0.5, 4, 4, 1, 1, 2, 2, {});
+      broken.particles[3].*number = bad;
+      EXPECT_FALSE(good.keep(broken.model(), 2));
     }
   }
   EXPECT_EQ(good.restore(b.particles), 1);
@@ -50,9 +45,8 @@ TEST(LastGood, KeepsWhatItHasWhereAValueIsNotFinite) {
 
 TEST(LastGood, NothingKeptRestoresNothing) {
   Block b = block();
-  const std::vector<double> x = b.particles.x;
   LastGood().restore(b.particles);
-  EXPECT_EQ(b.particles.x, x);
+  EXPECT_EQ(b.particles[5].x, b.start[5].x);
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <random>
 
-#include "hwy/targets.h"
-#include "solver/kernel/packed_stage.hpp"
+#include "tests/solver/kernels.hpp"
 #include "tests/solver/moving_bank.hpp"
+#include "tests/solver/oracle.hpp"
 
 namespace leda::solver::test {
 namespace {
@@ -15,7 +15,8 @@ namespace {
 // The moving bank with a row for every band of its height, each stronger than the one above.
 Seeded layered_bank(double bands_a_metre) {
   Seeded s = moving_bank();
-  const double height = *std::max_element(s.particles.z.begin(), s.particles.z.end());
+  double height = 0;
+  for (const Particle& p : s.particles) height = std::max(height, p.z);
   // More than a vector has lanes, or the whole table is looked up at once.
   const auto bands =
       std::max<std::size_t>(40, static_cast<std::size_t>(height * bands_a_metre) + 1);
@@ -30,8 +31,8 @@ Seeded layered_bank(double bands_a_metre) {
     t.softens.push_back(t.softens.front());
     t.material.push_back(t.material.front());
   }
-  for (std::size_t i = 0; i < s.particles.padded(); ++i) {
-    s.particles.law[i] = static_cast<std::int32_t>((height - s.particles.z[i]) * bands_a_metre);
+  for (Particle& p : s.particles) {
+    p.law = static_cast<std::int32_t>((height - p.z) * bands_a_metre);
   }
   return s;
 }
@@ -52,22 +53,24 @@ void renumber(Seeded& s, const std::vector<std::int32_t>& number) {
     move(column);
   }
   for (auto column : {&LawTable::softens, &LawTable::material}) move(column);
-  for (auto& law : s.particles.law) law = number[static_cast<std::size_t>(law)];
+  for (Particle& p : s.particles) p.law = number[static_cast<std::size_t>(p.law)];
 }
 
-Particles after_steps(Seeded s) {
-  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
-  Team team(1);
-  bool left = false;
-  for (int i = 1; i <= 8; ++i) step(*stage, {1e-3, gravity, 0.02, true}, i == 8, team, left);
-  EXPECT_FALSE(left);
-  unpack(stage->packs, stage->grid, s.particles);
-  return s.particles;
+template <class Real>
+Particles after_steps(const Seeded& s, const Kernel<Real>& kernel) {
+  Model<Real> model = model_of<Real>(s);
+  model.kernel = &kernel;
+  take_steps(model, 8);
+  return particles_of(model);
 }
+
+template <class Real>
+class LawRowsOf : public ::testing::Test {};
+TYPED_TEST_SUITE(LawRowsOf, BothPrecisions, PrecisionNames);
 
 // A pack spans eight metres: bands of ten metres are one row to most packs, those of one metre lie
 // within a vector of sixteen, three a metre within two; twenty, and shuffled ones, anywhere.
-void expect_own_rows() {
+TYPED_TEST(LawRowsOf, PointsAreReadByTheirOwnNumbersHoweverFarApart) {
   for (const double bands_a_metre : {0.1, 1.0, 3.0, 20.0}) {
     const Seeded s = layered_bank(bands_a_metre);
     Seeded shuffled = s;
@@ -75,26 +78,17 @@ void expect_own_rows() {
     std::iota(number.begin(), number.end(), 0);
     std::shuffle(number.begin(), number.end(), std::mt19937(3));
     renumber(shuffled, number);
-    Particles a = after_steps(s), b = after_steps(shuffled);
-    const auto all_a = a.arrays(), all_b = b.arrays();
-    for (std::size_t i = 0; i < all_a.size(); ++i) EXPECT_EQ(*all_a[i], *all_b[i]);
-    // ... and the reference, which knows one row and any.
-    Seeded reference = s;
-    for (int i = 0; i < 8; ++i) {
-      step(reference.particles, reference.grid, reference.laws, {1e-3, gravity, 0.02, true});
+    Oracle oracle(s.particles, s.size, s.laws, {});
+    for (int i = 0; i < 8; ++i) oracle.step({1e-3, gravity, 0.02, true});
+    for (const auto& here : kernels_here<TypeParam>()) {
+      const Particles a = after_steps(s, *here.kernel), b = after_steps(shuffled, *here.kernel);
+      const double t = within<TypeParam>(2e-5, 1e-12);
+      for (const auto stress : {&Particle::sxx, &Particle::szz, &Particle::sxz, &Particle::syy}) {
+        EXPECT_EQ(difference(a, b, stress), 0) << here.name << ", " << bands_a_metre;
+        EXPECT_LT(difference(a, oracle.particles(), stress), t)
+            << here.name << ", " << bands_a_metre;
+      }
     }
-    EXPECT_LT(difference(a.szz, reference.particles.szz, a.count), 2e-5) << bands_a_metre;
-    EXPECT_LT(difference(a.sxz, reference.particles.sxz, a.count), 2e-5) << bands_a_metre;
-  }
-}
-
-TEST(LawRows, AreReadByTheirOwnNumbersHoweverFarApart) { expect_own_rows(); }
-
-TEST(LawRows, AreReadSoWithShorterVectors) {
-  for (const std::int64_t off : {HWY_AVX3 | HWY_AVX3_DL, HWY_AVX3 | HWY_AVX3_DL | HWY_AVX2}) {
-    hwy::DisableTargets(off);
-    expect_own_rows();
-    hwy::DisableTargets(0);
   }
 }
 

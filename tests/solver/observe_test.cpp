@@ -6,6 +6,7 @@
 
 #include "solver/run/simulate.hpp"
 #include "tests/solver/bank.hpp"
+#include "tests/solver/moving_bank.hpp"
 
 namespace leda::solver::test {
 namespace {
@@ -14,15 +15,17 @@ struct Slid {
   Section section = bank(10, 45, 20e3);
   CrestAndToe bank_points{{40, 10}, {50, 0}};
   Seeded seeded = seed_particles(section, {1, 4, 0});
-  Surface before = surface(seeded);
+  Surface before = surface(model(), seeded);
+
+  AnyModel model() const { return model_of<double>(seeded); }
+  Movement measured() const { return measure(model(), seeded, section, bank_points, before); }
 
   // Lowers what was seeded above elevation 8 between two x of the plateau, onto the floor.
   void slide(double from, double to) {
-    Particles& p = seeded.particles;
-    for (std::size_t i = 0; i < p.count; ++i) {
-      if (p.x[i] > from && p.x[i] < to && p.z[i] > 11) {
-        p.x[i] += 50 - to + (to - from) * (p.z[i] - 11) / 2;
-        p.z[i] = 3.5;
+    for (Particle& p : seeded.particles) {
+      if (p.x > from && p.x < to && p.z > 11) {
+        p.x += 50 - to + (to - from) * (p.z - 11) / 2;
+        p.z = 3.5;
       }
     }
   }
@@ -30,7 +33,7 @@ struct Slid {
 
 TEST(Observe, NothingMovedIsNothingMeasured) {
   const Slid s;
-  const Movement m = measure(s.seeded, s.section, s.bank_points, s.before);
+  const Movement m = s.measured();
   EXPECT_EQ(m.retrogression_m, 0);
   EXPECT_EQ(m.runout_m, 0);
   EXPECT_EQ(m.front, s.bank_points.toe);
@@ -39,7 +42,7 @@ TEST(Observe, NothingMovedIsNothingMeasured) {
 TEST(Observe, RetrogressionReachesTheLastColumnThatDropped) {
   Slid s;
   s.slide(25, 40);
-  const Movement m = measure(s.seeded, s.section, s.bank_points, s.before);
+  const Movement m = s.measured();
   EXPECT_DOUBLE_EQ(m.retrogression_m, 15);
   EXPECT_DOUBLE_EQ(m.backscarp.x, 25);
   EXPECT_GT(m.runout_m, 1);
@@ -47,17 +50,15 @@ TEST(Observe, RetrogressionReachesTheLastColumnThatDropped) {
 
 TEST(Observe, ADropBelowTheThresholdIsNone) {
   Slid s;
-  Particles& p = s.seeded.particles;
-  for (std::size_t i = 0; i < p.count; ++i) p.z[i] -= 0.4;
-  EXPECT_EQ(measure(s.seeded, s.section, s.bank_points, s.before).retrogression_m, 0);
+  for (Particle& p : s.seeded.particles) p.z -= 0.4;
+  EXPECT_EQ(s.measured().retrogression_m, 0);
 }
 
 TEST(Observe, ALumpFarAheadIsNotTheFront) {
   Slid s;
-  Particles& p = s.seeded.particles;
-  p.x[0] = 70;  // from the bank, thrown 20 m past the toe on its own
-  p.z[0] = 6;
-  EXPECT_EQ(measure(s.seeded, s.section, s.bank_points, s.before).runout_m, 0);
+  s.seeded.particles[0].x = 70;  // from the bank, thrown 20 m past the toe on its own
+  s.seeded.particles[0].z = 6;
+  EXPECT_EQ(s.measured().runout_m, 0);
 }
 
 TEST(Observe, ABankThatFallsToTheLeftIsTheMirrorImage) {
@@ -71,15 +72,13 @@ TEST(Observe, ABankThatFallsToTheLeftIsTheMirrorImage) {
   }
   section.ground = ground;
   Seeded mirrored = right.seeded;
-  for (std::size_t i = 0; i < mirrored.particles.padded(); ++i) {
-    mirrored.particles.x[i] = length - mirrored.particles.x[i];
-    mirrored.particles.start_x[i] = length - mirrored.particles.start_x[i];
-  }
+  for (Particle& p : mirrored.particles) p.x = length - p.x;
+  for (float& x : mirrored.start_x) x = static_cast<float>(length) - x;
   Surface before = right.before;
   std::reverse(before.z.begin(), before.z.end());
   const CrestAndToe points{{length - 40, 10}, {length - 50, 0}};
-  const Movement a = measure(right.seeded, right.section, right.bank_points, right.before);
-  const Movement b = measure(mirrored, section, points, before);
+  const Movement a = right.measured();
+  const Movement b = measure(model_of<double>(mirrored), mirrored, section, points, before);
   EXPECT_NEAR(a.retrogression_m, b.retrogression_m, 1e-9);
   EXPECT_NEAR(a.runout_m, b.runout_m, 1e-9);
 }
@@ -181,8 +180,8 @@ TEST(SlideCount, ABankOfFiveMetresThatGoesInBlocksSlidMoreThanOnce) {
 
 TEST(Observe, AFrameIsInTheOrderOfSeeding) {
   const Slid s;
-  const Frame f = frame(s.seeded, s.seeded.laws, 1.5);
-  ASSERT_EQ(f.x.size(), s.seeded.particles.count);
+  const Frame f = frame(s.model(), s.seeded, 1.5);
+  ASSERT_EQ(f.x.size(), s.seeded.particles.size());
   EXPECT_EQ(f.time_s, 1.5);
   EXPECT_NEAR(f.x[0], 0.25, 1e-6);
   EXPECT_NEAR(f.z[0], -2.75, 1e-6);

@@ -1,9 +1,10 @@
 // Ground at rest: when it rests and wakes, and that a run with it answers as one without.
+#include "solver/kernel/rest.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "solver/kernel/packed_stage.hpp"
 #include "solver/run/checkpoint.hpp"
 #include "solver/run/simulate.hpp"
 #include "tests/solver/bank.hpp"
@@ -13,15 +14,15 @@ namespace {
 
 constexpr double dt = 0.01, width = 16;
 
-std::vector<PackSums> speeds(const std::vector<double>& speed) {
-  std::vector<PackSums> sums(speed.size());
+std::vector<PointSums> speeds(const std::vector<double>& speed) {
+  std::vector<PointSums> sums(speed.size());
   for (std::size_t i = 0; i < speed.size(); ++i) {
-    sums[i].particles.fastest_squared = speed[i] * speed[i];
+    sums[i].fastest_squared = speed[i] * speed[i];
   }
   return sums;
 }
 
-std::vector<GroupRest> after_steps(std::size_t groups, const std::vector<PackSums>& sums,
+std::vector<GroupRest> after_steps(std::size_t groups, const std::vector<PointSums>& sums,
                                    int count) {
   std::vector<GroupRest> rest(groups);
   for (int i = 0; i < count; ++i) observe(rest, sums, dt, width);

@@ -11,7 +11,7 @@ TEST(SeedParticles, FillTheSectionWithItsMass) {
   const Section s = bank(10, 45, 20e3);
   const Seeded seeded = seed_particles(s, {0.5, 4, 0});
   double mass = 0;
-  for (std::size_t i = 0; i < seeded.particles.count; ++i) mass += seeded.particles.mass[i];
+  for (std::size_t i = 0; i < seeded.particles.size(); ++i) mass += seeded.particles[i].mass;
   // 40 x 13 plateau, 10 x 13 - 50 face, 30 x 3 floor
   const double area = 520 + 80 + 90;
   EXPECT_NEAR(mass, area * 17e3 / gravity, 0.01 * area * 17e3 / gravity);
@@ -21,13 +21,13 @@ TEST(SeedParticles, K0ActsOnEffectiveStress) {
   const Section s = bank(10, 45, 20e3);
   const Seeded seeded = seed_particles(s, {1, 4, 0});
   const Particles& p = seeded.particles;
-  for (std::size_t i = 0; i < p.count; ++i) {
-    if (p.x[i] > 39) continue;
-    const double depth = 13 - p.z[i];
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p[i].x > 39) continue;
+    const double depth = 13 - p[i].z;
     const double vertical = 17e3 * depth, u = water_unit_weight * depth;
-    EXPECT_NEAR(p.szz[i], -vertical, 1e-6 * vertical);
-    EXPECT_NEAR(p.sxx[i], -(0.5 * (vertical - u) + u), 1e-6 * vertical);
-    EXPECT_DOUBLE_EQ(p.syy[i], p.sxx[i]);
+    EXPECT_NEAR(p[i].szz, -vertical, 1e-6 * vertical);
+    EXPECT_NEAR(p[i].sxx, -(0.5 * (vertical - u) + u), 1e-6 * vertical);
+    EXPECT_DOUBLE_EQ(p[i].syy, p[i].sxx);
   }
 }
 
@@ -47,10 +47,10 @@ TEST(SeedParticles, OverburdenAddsUpTheLayers) {
 TEST(SeedParticles, ASeedMovesThemByAMicrometreAtMost) {
   const Section s = bank(5, 45, 20e3);
   const Seeded a = seed_particles(s, {1, 4, 0}), b = seed_particles(s, {1, 4, 7});
-  ASSERT_EQ(a.particles.count, b.particles.count);
+  ASSERT_EQ(a.particles.size(), b.particles.size());
   double most = 0;
-  for (std::size_t i = 0; i < a.particles.count; ++i) {
-    most = std::max(most, std::abs(a.particles.x[i] - b.particles.x[i]));
+  for (std::size_t i = 0; i < a.particles.size(); ++i) {
+    most = std::max(most, std::abs(a.particles[i].x - b.particles[i].x));
   }
   EXPECT_GT(most, 1e-8);
   EXPECT_LE(most, 1e-6);
@@ -60,7 +60,7 @@ TEST(SeedParticles, NineParticlesACellStandOnAThirdOfACell) {
   const Section s = bank(5, 45, 20e3);
   const Seeded seeded = seed_particles(s, {1, 9, 0});
   EXPECT_NEAR(seeded.spacing, 1.0 / 3, 1e-12);
-  EXPECT_NEAR(seeded.particles.volume[0], 1.0 / 9, 1e-12);
+  EXPECT_NEAR(seeded.particles[0].volume, 1.0 / 9, 1e-12);
 }
 
 }  // namespace

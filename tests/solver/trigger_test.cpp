@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/run/initial_stress.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {
@@ -20,10 +21,15 @@ TEST(Trigger, ExcavationTakesAwayTheParticlesInside) {
   const Section s = bank(10, 45, 20e3);
   RunState run;
   run.seeded = seed_particles(s, {1, 4, 0});
-  const std::size_t before = run.seeded.particles.count;
+  begin_quiet(run);
+  const std::size_t before = particles_of(run.model).size();
   // A square of 2 m of the plateau: 4 m2 are 16 particles.
   EXPECT_EQ(excavate(run, {{10, 6}, {12, 6}, {12, 8}, {10, 8}}), 16U);
-  EXPECT_EQ(run.seeded.particles.count, before - 16);
+  const Particles left = particles_of(run.model);
+  EXPECT_EQ(left.size(), before - 16);
+  for (const Particle& p : left) {
+    EXPECT_FALSE(p.x > 10 && p.x < 12 && p.z - 3 > 6 && p.z - 3 < 8);
+  }
   EXPECT_EQ(excavate(run, {{200, 6}, {202, 6}, {202, 8}}), 0U);
 }
 

@@ -1,0 +1,66 @@
+#include "solver/materials/laws.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace leda::solver {
+
+namespace {
+
+// Values beyond the range of the type (an endless strain, a rate of nothing) become its ends.
+template <class Real>
+std::vector<Real> narrow(const std::vector<double>& column) {
+  const auto smallest = static_cast<double>(std::numeric_limits<Real>::min());
+  std::vector<Real> result(column.size() + Laws<Real>::padding);
+  std::transform(column.begin(), column.end(), result.begin(), [smallest](double value) {
+    return static_cast<Real>(value > 0 ? std::max(value, smallest) : value);
+  });
+  return result;
+}
+
+template <class Real>
+ViscousRows<Real> narrow(const ViscousLaws& laws) {
+  ViscousRows<Real> v;
+  if (laws.empty()) return v;
+  const auto is_rated = [](double share) { return share != 0; };
+  v.rated = std::ranges::any_of(laws.log_share, is_rated) ||
+            std::ranges::any_of(laws.power_share, is_rated);
+  v.flows = std::ranges::any_of(laws.consistency, [](double eta) { return eta > 0; });
+  v.base = narrow<Real>(laws.base);
+  v.log_share = narrow<Real>(laws.log_share);
+  v.power_share = narrow<Real>(laws.power_share);
+  v.exponent = narrow<Real>(laws.exponent);
+  v.least = narrow<Real>(laws.least);
+  v.reference = narrow<Real>(laws.reference);
+  v.consistency = narrow<Real>(laws.consistency);
+  v.flow_exponent = narrow<Real>(laws.flow_exponent);
+  return v;
+}
+
+}  // namespace
+
+template <class Real>
+Laws<Real> narrow_laws(const LawTable& t, bool softer) {
+  Laws<Real> laws;
+  laws.rows = t.rows();
+  laws.bulk = narrow<Real>(t.bulk);
+  laws.shear = narrow<Real>(t.shear);
+  laws.peak = narrow<Real>(t.peak);
+  laws.floor = narrow<Real>(t.floor);
+  laws.amplitude = narrow<Real>(t.amplitude);
+  laws.rate = narrow<Real>(t.rate);
+  laws.exp_end = narrow<Real>(t.exp_end);
+  laws.line_start = narrow<Real>(t.line_start);
+  laws.line_slope = narrow<Real>(t.line_slope);
+  laws.line_end = narrow<Real>(t.line_end);
+  laws.last = narrow<Real>(t.last);
+  laws.viscous = narrow<Real>(t.viscous);
+  laws.softens = std::ranges::any_of(t.softens, [](std::int32_t one) { return one != 0; });
+  laws.softer = softer;
+  return laws;
+}
+
+template Laws<float> narrow_laws<float>(const LawTable&, bool);
+template Laws<double> narrow_laws<double>(const LawTable&, bool);
+
+}  // namespace leda::solver

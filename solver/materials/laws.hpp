@@ -1,0 +1,39 @@
+#pragma once
+// The law table as the kernel reads it, in the kernel's number type.
+
+#include <cstddef>
+#include <vector>
+
+#include "solver/materials/law_table.hpp"
+
+namespace leda::solver {
+
+/// Rate and flow of each row (see ViscousLaws). The flags say which parts a run needs at all.
+template <class Real>
+struct ViscousRows {
+  bool rated = false;  ///< a row has a rate law
+  bool flows = false;  ///< a row has a flow law
+  std::vector<Real> base, log_share, power_share, exponent, least, reference;
+  std::vector<Real> consistency, flow_exponent;
+};
+
+/// One entry a row. Columns go on with `padding` entries beyond the last row, so that two vectors
+/// can be read from any row on.
+template <class Real>
+struct Laws {
+  static constexpr std::size_t padding = 32;
+
+  std::size_t rows = 0;  ///< without the padding
+  std::vector<Real> bulk, shear, peak;
+  std::vector<Real> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
+  ViscousRows<Real> viscous;
+  bool softens = false;  ///< a row has a softening law
+  /// Whether ground that would limit the time step of all of it gets lower moduli: `thin` and
+  /// `strained` (solver/kernel/softer-inl.hpp).
+  bool softer = false;
+};
+
+template <class Real>
+Laws<Real> narrow_laws(const LawTable& table, bool softer);
+
+}  // namespace leda::solver
