@@ -13,8 +13,8 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/executor.hpp"
-#include "server/slurm/array_notes.hpp"
+#include "server/jobs/executors/executor.hpp"
+#include "server/jobs/executors/slurm/array_notes.hpp"
 
 namespace leda::server {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/logging.hpp"
-#include "server/retention.hpp"
+#include "server/operate/logging.hpp"
+#include "server/operate/retention.hpp"
 
 namespace leda::server {
 namespace {

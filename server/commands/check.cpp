@@ -10,9 +10,9 @@
 #include "server/commands/check_report.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/data_folder.hpp"
-#include "server/documents/interrupt_signals.hpp"
-#include "server/documents/run_folder.hpp"
+#include "server/operate/data_folder.hpp"
+#include "server/run/interrupt_signals.hpp"
+#include "server/run/run_folder.hpp"
 #include "solver/extremes/suite.hpp"
 #include "solver/extremes/try_case.hpp"
 

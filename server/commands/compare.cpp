@@ -2,12 +2,12 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/compare_sections.hpp"
 #include "server/documents/compare_document.hpp"
-#include "server/documents/run_folder.hpp"
-#include "server/logging.hpp"
-#include "server/section_table.hpp"
-#include "server/service.hpp"
+#include "server/jobs/service.hpp"
+#include "server/layers/compare_sections.hpp"
+#include "server/layers/section_table.hpp"
+#include "server/operate/logging.hpp"
+#include "server/run/run_folder.hpp"
 
 namespace leda::server {
 namespace {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "server/commands/commands.hpp"
-#include "server/commands/curve_drawing.hpp"
 #include "server/commands/element_case.hpp"
 #include "server/commands/exit_code.hpp"
+#include "server/drawings/curve_drawing.hpp"
 #include "solver/element_test/dss_of_particles.hpp"
 #include "solver/materials/softening.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "server/auth.hpp"
-#include "server/http_server.hpp"
-#include "server/problem.hpp"
+#include "server/http/auth.hpp"
+#include "server/http/http_server.hpp"
+#include "server/http/problem.hpp"
 
 namespace leda::server {
 

@@ -2,9 +2,9 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/logging.hpp"
-#include "server/region_layers.hpp"
-#include "server/service.hpp"
+#include "server/jobs/service.hpp"
+#include "server/layers/region_layers.hpp"
+#include "server/operate/logging.hpp"
 
 namespace leda::server {
 namespace {

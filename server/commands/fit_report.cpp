@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "server/commands/curve_drawing.hpp"
 #include "server/documents/softening_names.hpp"
+#include "server/drawings/curve_drawing.hpp"
 #include "solver/materials/softening.hpp"
 
 namespace leda::server {

@@ -3,7 +3,7 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/version.hpp"
+#include "server/operate/version.hpp"
 
 namespace {
 

@@ -9,12 +9,12 @@
 #include "server/commands/run_options.hpp"
 #include "server/documents/execute_options.hpp"
 #include "server/documents/region_request.hpp"
-#include "server/handlers/section_document.hpp"
-#include "server/logging.hpp"
-#include "server/problem.hpp"
-#include "server/rasters.hpp"
-#include "server/section_table.hpp"
-#include "server/service.hpp"
+#include "server/http/handlers/section_document.hpp"
+#include "server/http/problem.hpp"
+#include "server/jobs/service.hpp"
+#include "server/layers/rasters.hpp"
+#include "server/layers/section_table.hpp"
+#include "server/operate/logging.hpp"
 
 namespace leda::server {
 namespace {

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "server/service.hpp"
+#include "server/jobs/service.hpp"
 
 namespace leda::server {
 

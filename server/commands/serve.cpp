@@ -8,11 +8,11 @@
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
 #include "server/commands/run_options.hpp"
-#include "server/commands/settings_file.hpp"
-#include "server/documents/run_folder.hpp"
-#include "server/http_server.hpp"
-#include "server/logging.hpp"
-#include "server/service.hpp"
+#include "server/http/http_server.hpp"
+#include "server/jobs/service.hpp"
+#include "server/operate/logging.hpp"
+#include "server/operate/settings_file.hpp"
+#include "server/run/run_folder.hpp"
 
 namespace leda::server {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/documents/interrupt_signals.hpp"
 #include "server/documents/result_document.hpp"
-#include "server/documents/run_folder.hpp"
+#include "server/run/interrupt_signals.hpp"
+#include "server/run/run_folder.hpp"
 
 namespace leda::server {
 namespace {

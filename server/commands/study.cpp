@@ -9,14 +9,14 @@
 #include "db/store.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/data_folder.hpp"
-#include "server/documents/interrupt_signals.hpp"
-#include "server/documents/run_folder.hpp"
 #include "server/documents/study_document.hpp"
-#include "server/documents/study_drawing.hpp"
-#include "server/local_executor.hpp"
-#include "server/problem.hpp"
-#include "server/study_folder.hpp"
+#include "server/drawings/study_drawing.hpp"
+#include "server/http/problem.hpp"
+#include "server/jobs/executors/local_executor.hpp"
+#include "server/jobs/study_folder.hpp"
+#include "server/operate/data_folder.hpp"
+#include "server/run/interrupt_signals.hpp"
+#include "server/run/run_folder.hpp"
 
 namespace leda::server {
 namespace {

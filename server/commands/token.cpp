@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "server/auth.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
+#include "server/http/auth.hpp"
 
 namespace leda::server {
 namespace {

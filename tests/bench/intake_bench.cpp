@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "db/store.hpp"
-#include "server/take_in.hpp"
+#include "server/jobs/take_in.hpp"
 #include "tests/db/samples.hpp"
 #include "tests/server/run_fixture.hpp"
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "server/spawn.hpp"
+#include "server/jobs/executors/spawn.hpp"
 
 namespace leda::tests {
 namespace {

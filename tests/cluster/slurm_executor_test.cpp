@@ -1,6 +1,6 @@
 // The suite of executors over a real Slurm, and what only a cluster promises.
 
-#include "server/slurm/slurm_executor.hpp"
+#include "server/jobs/executors/slurm/slurm_executor.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <set>
 #include <thread>
 
-#include "server/spawn.hpp"
+#include "server/jobs/executors/spawn.hpp"
 #include "tests/cluster/one_node_slurm.hpp"
-#include "tests/server/executor_suite.hpp"
+#include "tests/server/jobs/executors/executor_suite.hpp"
 
 namespace leda::server {
 namespace {

@@ -34,7 +34,7 @@ fi
 
 # Only what decides a result counts: a page or a test that changed makes no run stale.
 program_commit() {
-  local source=(solver server/documents server/commands/simulate.cpp ':!*.md') id
+  local source=(solver server/documents server/run server/commands/simulate.cpp ':!*.md') id
   cd "$(dirname "$0")/../.."
   id=$(git log -1 --format=%h --abbrev=8 -- "${source[@]}" 2>/dev/null) && [[ -n $id ]] || return 0
   git diff --quiet HEAD -- "${source[@]}" || id+="-changed"

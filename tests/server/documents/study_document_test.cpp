@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "server/documents/study_drawing.hpp"
+#include "server/drawings/study_drawing.hpp"
 #include "tests/server/documents/some_study.hpp"
 
 namespace leda::server {

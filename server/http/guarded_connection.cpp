@@ -1,0 +1,152 @@
+#include "server/http/guarded_connection.hpp"
+
+#include <arpa/inet.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace leda::server {
+namespace {
+
+constexpr double least_bytes_a_ms = 1.024;  // a kilobyte a second
+
+void address_of(const sockaddr_storage& from, std::string& ip, int& port) {
+  char text[INET6_ADDRSTRLEN] = "";
+  if (from.ss_family == AF_INET) {
+    sockaddr_in v4{};
+    std::memcpy(&v4, &from, sizeof(v4));
+    inet_ntop(AF_INET, &v4.sin_addr, text, sizeof(text));
+    port = ntohs(v4.sin_port);
+  } else if (from.ss_family == AF_INET6) {
+    sockaddr_in6 v6{};
+    std::memcpy(&v6, &from, sizeof(v6));
+    inet_ntop(AF_INET6, &v6.sin6_addr, text, sizeof(text));
+    port = ntohs(v6.sin6_port);
+  }
+  ip = text;
+}
+
+}  // namespace
+
+void send_and_forget(socket_t socket, int status, const char* title, const char* more_headers) {
+  const std::string body = "{\"type\":\"about:blank\",\"title\":\"" + std::string(title) +
+                           "\",\"status\":" + std::to_string(status) + ",\"detail\":\"" + title +
+                           "\",\"instance\":\"\"}\n";
+  const std::string answer = "HTTP/1.1 " + std::to_string(status) + " " + title +
+                             "\r\nContent-Type: application/problem+json\r\nConnection: close\r\n" +
+                             more_headers + "Content-Length: " + std::to_string(body.size()) +
+                             "\r\n\r\n" + body;
+  [[maybe_unused]] const ssize_t sent =
+      send(socket, answer.data(), answer.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+}
+
+GuardedConnection::GuardedConnection(socket_t socket, const Limits& limits)
+    : socket_(socket), limits_(limits) {}
+
+bool GuardedConnection::wait_for(short events, Milliseconds most) const {
+  pollfd one{socket_, events, 0};
+  return poll(&one, 1, static_cast<int>(most.count())) > 0;
+}
+
+bool GuardedConnection::is_readable() const {
+  return !broken_off_ && (at_ < end_ || wait_for(POLLIN, limits_.pause));
+}
+
+/// Also false once the client has hung up: an event stream would otherwise hold its thread until
+/// there is something to send.
+bool GuardedConnection::is_writable() const {
+  if (broken_off_ || !wait_for(POLLOUT, limits_.pause)) return false;
+  char next = 0;
+  return recv(socket_, &next, 1, MSG_PEEK | MSG_DONTWAIT) != 0;
+}
+
+void GuardedConnection::break_off(int status, const char* title) {
+  if (!broken_off_) send_and_forget(socket_, status, title, "");
+  broken_off_ = true;
+}
+
+bool GuardedConnection::is_too_slow(std::size_t bytes) const {
+  const auto took = std::chrono::duration_cast<Milliseconds>(Clock::now() - started_);
+  if (in_header_) return took > limits_.header_time;
+  const auto beyond = took - limits_.grace;
+  return static_cast<double>(beyond.count()) * least_bytes_a_ms > static_cast<double>(bytes);
+}
+
+bool GuardedConnection::fill() {
+  if (started_ == Clock::time_point{}) started_ = Clock::now();
+  if (is_too_slow(body_bytes_) || !wait_for(POLLIN, limits_.pause)) {
+    break_off(408, "Request Timeout");
+    return false;
+  }
+  const ssize_t count = recv(socket_, buffer_, sizeof(buffer_), 0);
+  if (count <= 0) return false;
+  at_ = 0;
+  end_ = static_cast<std::size_t>(count);
+  return true;
+}
+
+bool GuardedConnection::header_is_within_limits(char next) {
+  if (++header_bytes_ > limits_.header_bytes) {
+    break_off(431, "Request Header Fields Too Large");
+    return false;
+  }
+  if (next == '\n') {
+    if (++line_ends_ == 2) {
+      in_header_ = false;
+      started_ = Clock::now();
+    }
+  } else if (next != '\r') {
+    line_ends_ = 0;
+  }
+  return true;
+}
+
+ssize_t GuardedConnection::read(char* to, std::size_t size) {
+  if (broken_off_) return -1;
+  if (at_ == end_ && !fill()) return broken_off_ ? -1 : 0;
+  std::size_t count = 0;
+  while (count < size && at_ < end_) {
+    const char next = buffer_[at_++];
+    if (in_header_ && !header_is_within_limits(next)) return -1;
+    if (!in_header_) ++body_bytes_;
+    to[count++] = next;
+  }
+  return static_cast<ssize_t>(count);
+}
+
+ssize_t GuardedConnection::write(const char* from, std::size_t size) {
+  // What the library still wants to say after a break is dropped: the client was told already.
+  if (broken_off_) return static_cast<ssize_t>(size);
+  const auto before = Clock::now();
+  const bool ready = wait_for(POLLOUT, limits_.pause);
+  blocked_ += std::chrono::duration_cast<Milliseconds>(Clock::now() - before);
+  const auto beyond = blocked_ - limits_.grace;
+  if (!ready ||
+      static_cast<double>(beyond.count()) * least_bytes_a_ms > static_cast<double>(sent_bytes_)) {
+    broken_off_ = true;
+    return -1;
+  }
+  const ssize_t sent = send(socket_, from, size, MSG_NOSIGNAL);
+  if (sent > 0) sent_bytes_ += static_cast<std::size_t>(sent);
+  return sent;
+}
+
+void GuardedConnection::get_remote_ip_and_port(std::string& ip, int& port) const {
+  sockaddr_storage from{};
+  socklen_t size = sizeof(from);
+  if (getpeername(socket_, reinterpret_cast<sockaddr*>(&from), &size) == 0) {
+    address_of(from, ip, port);
+  }
+}
+
+void GuardedConnection::get_local_ip_and_port(std::string& ip, int& port) const {
+  sockaddr_storage from{};
+  socklen_t size = sizeof(from);
+  if (getsockname(socket_, reinterpret_cast<sockaddr*>(&from), &size) == 0) {
+    address_of(from, ip, port);
+  }
+}
+
+}  // namespace leda::server

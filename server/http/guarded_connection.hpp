@@ -1,0 +1,54 @@
+#pragma once
+// A connection that a slow, endless or silent client cannot hold. Includes cpp-httplib.
+
+#include <httplib.h>
+
+#include <chrono>
+
+#include "server/http/limits.hpp"
+
+namespace leda::server {
+
+/// One request and its answer on a socket. The library itself bounds neither the length of the
+/// header nor the time it takes, so both are watched here, byte by byte.
+class GuardedConnection final : public httplib::Stream {
+ public:
+  GuardedConnection(socket_t socket, const Limits& limits);
+
+  bool is_readable() const override;
+  bool is_writable() const override;
+  ssize_t read(char* to, std::size_t size) override;
+  ssize_t write(const char* from, std::size_t size) override;
+  void get_remote_ip_and_port(std::string& ip, int& port) const override;
+  void get_local_ip_and_port(std::string& ip, int& port) const override;
+  socket_t socket() const override { return socket_; }
+
+  /// The client broke a limit and was told; nothing more is sent or read.
+  bool is_broken_off() const { return broken_off_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  using Milliseconds = std::chrono::milliseconds;
+
+  bool wait_for(short events, Milliseconds most) const;
+  bool fill();
+  bool header_is_within_limits(char next);
+  bool is_too_slow(std::size_t bytes) const;
+  void break_off(int status, const char* title);
+
+  socket_t socket_;
+  const Limits& limits_;
+  char buffer_[4096]{};
+  std::size_t at_ = 0, end_ = 0;  ///< of what was received and not read yet
+  std::size_t header_bytes_ = 0, body_bytes_ = 0, sent_bytes_ = 0;
+  int line_ends_ = 0;  ///< in a row; two end the header
+  bool in_header_ = true;
+  bool broken_off_ = false;
+  Clock::time_point started_{};
+  Milliseconds blocked_{0};  ///< waited for the client to take what is sent
+};
+
+/// A short answer of the server's own, for a connection that gets no other. Never waits.
+void send_and_forget(socket_t socket, int status, const char* title, const char* more_headers);
+
+}  // namespace leda::server

@@ -1,0 +1,188 @@
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "server/http/handlers/handlers.hpp"
+#include "server/http/handlers/parameters.hpp"
+#include "server/http/problem.hpp"
+#include "server/jobs/service.hpp"
+#include "server/layers/features.hpp"
+#include "server/layers/region_layers.hpp"
+
+namespace leda::server {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* crs84 = "http://www.opengis.net/def/crs/OGC/1.3/CRS84";
+
+Collection collection_or_problem(const std::string& id) {
+  const auto collection = collection_from(id);
+  if (!collection) {
+    throw Problem(
+        Failure::no_such_resource,
+        "there is no collection '" + id + "': known are sections, release_zones and runout_zones");
+  }
+  return *collection;
+}
+
+/// bbox=west,south,east,north in degrees, or the same with two heights, which say nothing here.
+std::optional<MapBox> wanted_box(const Call& call) {
+  if (!call.parameter("bbox")) return std::nullopt;
+  const auto parts = list(call, "bbox");
+  std::vector<double> numbers;
+  bool sound = parts.size() == 4 || parts.size() == 6;
+  for (const auto& part : parts) {
+    double number = 0;
+    const char* last = part.data() + part.size();
+    const auto [end, error] = std::from_chars(part.data(), last, number);
+    sound = sound && error == std::errc{} && end == last && std::isfinite(number);
+    numbers.push_back(number);
+  }
+  if (sound && parts.size() == 6) numbers = {numbers[0], numbers[1], numbers[3], numbers[4]};
+  if (!sound || numbers[1] > numbers[3]) {
+    throw Problem(Failure::invalid_parameter, "bbox is '" + *call.parameter("bbox") +
+                                                  "': give west,south,east,north in degrees");
+  }
+  return MapBox{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+db::PageFilter filter_of(const Service& service, const Call& call) {
+  db::PageFilter filter;
+  filter.limit = whole_number(call, "limit", 100, 1, 10'000);
+  filter.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
+  filter.box = wanted_box(call);
+  if (const auto id = call.parameter("job")) filter.job = job_or_problem(service.store, *id).id;
+  return filter;
+}
+
+/// A job that stands on no DEM has nothing on the map.
+bool has_a_map(const Service& service, const db::PageFilter& filter) {
+  return filter.job.empty() || epsg_of(service.store, *service.store.job(filter.job)) != 0;
+}
+
+/// The CRS the coordinates are kept in, where all features share one.
+std::string storage_crs(const db::Coverage& coverage) {
+  if (coverage.epsg.size() != 1) return crs84;
+  return "http://www.opengis.net/def/crs/EPSG/0/" + std::to_string(coverage.epsg.front());
+}
+
+json link(const std::string& href, const char* rel, const char* type) {
+  return {{"href", href}, {"rel", rel}, {"type", type}};
+}
+
+json collection_document(const Service& service, Collection collection) {
+  const std::string own = service.url + "/collections/" + to_string(collection);
+  const db::Coverage coverage = coverage_of(service.store, collection);
+  const char* title = collection == Collection::sections        ? "Sections"
+                      : collection == Collection::release_zones ? "Release zones"
+                                                                : "Runout zones";
+  const MapBox box = coverage.box.value_or(MapBox{-180, -90, 180, 90});
+  return {
+      {"id", to_string(collection)},
+      {"title", title},
+      {"description", "of all jobs that succeeded; job= selects one"},
+      {"itemType", "feature"},
+      {"crs", {crs84}},
+      {"storageCrs", storage_crs(coverage)},
+      {"extent", {{"spatial", {{"bbox", json::array({box})}, {"crs", crs84}}}}},
+      {"links", json::array({link(own, "self", "application/json"),
+                             link(own + "/items", "items", "application/geo+json"),
+                             link(own + "/schema", "describedby", "application/schema+json")})}};
+}
+
+std::string text_of(const json& document) {
+  return document.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+Answer geojson_answer(const json& document) {
+  Answer answer = json_answer(document);
+  answer.type = "application/geo+json";
+  return answer;
+}
+
+}  // namespace
+
+Answer get_collections(Service& service, const Call& call) {
+  format(call, {"json"});
+  json collections = json::array();
+  for (const Collection collection : all_collections) {
+    collections.push_back(collection_document(service, collection));
+  }
+  return json_answer(
+      {{"collections", collections},
+       {"links", json::array({link(service.url + "/collections", "self", "application/json")})}});
+}
+
+Answer get_collection(Service& service, const Call& call) {
+  format(call, {"json"});
+  return json_answer(collection_document(service, collection_or_problem(call.captured[0])));
+}
+
+Answer get_schema(Service& /*service*/, const Call& call) {
+  format(call, {"json"});
+  Answer answer = json_answer(schema_of(collection_or_problem(call.captured[0])));
+  answer.type = "application/schema+json";
+  return answer;
+}
+
+Answer get_items(Service& service, const Call& call) {
+  format(call, {"json", "geojson"});
+  const Collection collection = collection_or_problem(call.captured[0]);
+  const db::PageFilter filter = filter_of(service, call);
+  const bool any = has_a_map(service, filter);
+  const int matched = any ? count_features(service.store, collection, filter) : 0;
+  Answer answer;
+  answer.type = "application/geo+json";
+  // Written piece by piece: a whole page as JSON takes many times as much as its text.
+  answer.body = R"({"type":"FeatureCollection","features":[)";
+  int returned = 0;
+  if (any) {
+    const db::Turns::Turn turn(service.pages);
+    for_each_feature(service.store, collection, filter, [&](const json& feature) {
+      answer.body += returned++ == 0 ? "\n" : ",\n";
+      answer.body += text_of(feature);
+    });
+  }
+  const std::string own = service.url + "/collections/" + to_string(collection);
+  json rest;
+  rest["links"] = json::array(
+      {link(with_offset(call, own + "/items", filter.offset), "self", "application/geo+json")});
+  if (returned > 0 && filter.offset + returned < matched) {
+    rest["links"].push_back(link(with_offset(call, own + "/items", filter.offset + returned),
+                                 "next", "application/geo+json"));
+  }
+  rest["links"].push_back(link(own, "collection", "application/json"));
+  rest["numberMatched"] = matched;
+  rest["numberReturned"] = returned;
+  rest["timeStamp"] = db::utc_now();
+  answer.body += "],\n" + text_of(rest).substr(1) + "\n";
+  return answer;
+}
+
+Answer get_item(Service& service, const Call& call) {
+  format(call, {"json", "geojson"});
+  const Collection collection = collection_or_problem(call.captured[0]);
+  const std::string& text = call.captured[1];
+  std::int64_t id = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+  const bool is_id = error == std::errc{} && end == text.data() + text.size();
+  db::PageFilter filter;
+  filter.id = id;
+  json found;
+  if (is_id) {
+    for_each_feature(service.store, collection, filter,
+                     [&](json&& feature) { found = std::move(feature); });
+  }
+  if (found.is_null()) {
+    throw Problem(Failure::no_such_resource,
+                  "there is no feature " + text + " in " + to_string(collection));
+  }
+  const std::string own = service.url + "/collections/" + to_string(collection);
+  found["links"] = json::array({link(own + "/items/" + text, "self", "application/geo+json"),
+                                link(own, "collection", "application/json")});
+  return geojson_answer(found);
+}
+
+}  // namespace leda::server

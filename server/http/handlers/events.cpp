@@ -1,0 +1,80 @@
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "server/http/handlers/handlers.hpp"
+#include "server/http/handlers/job_document.hpp"
+#include "server/http/problem.hpp"
+#include "server/jobs/service.hpp"
+
+namespace leda::server {
+namespace {
+
+constexpr std::chrono::milliseconds between_looks{250};
+constexpr std::chrono::seconds between_signs_of_life{15};
+
+/// One of the few streams that may be open; given back when the stream ends.
+class StreamSlot {
+ public:
+  explicit StreamSlot(std::atomic<int>& streams) : streams_(streams) { ++streams_; }
+  ~StreamSlot() { --streams_; }
+  StreamSlot(const StreamSlot&) = delete;
+  StreamSlot& operator=(const StreamSlot&) = delete;
+
+ private:
+  std::atomic<int>& streams_;
+};
+
+bool is_finished(db::JobState state) {
+  return state != db::JobState::accepted && state != db::JobState::running;
+}
+
+/// Follows a job. The id of an event is the time the job was updated and its status (two updates
+/// may fall into one millisecond), so a client that comes back with Last-Event-ID hears only what
+/// is new.
+struct Follower {
+  Service& service;
+  std::string job;
+  std::string last_id;
+  bool done = false;
+  std::chrono::steady_clock::time_point spoke = std::chrono::steady_clock::now();
+
+  std::optional<std::string> next() {
+    if (done) return std::nullopt;
+    const auto record = service.store.job(job);
+    if (!record) return std::nullopt;
+    done = is_finished(record->state);
+    const auto now = std::chrono::steady_clock::now();
+    const std::string id = record->updated + "/" + db::to_string(record->state);
+    if (id != last_id) {
+      last_id = id;
+      spoke = now;
+      return "id: " + last_id +
+             "\nevent: status\ndata: " + status_info(*record, service.url).dump() + "\n\n";
+    }
+    if (done) return std::nullopt;
+    std::this_thread::sleep_for(between_looks);
+    if (now - spoke < between_signs_of_life) return "";
+    spoke = now;
+    return ": still there\n\n";
+  }
+};
+
+}  // namespace
+
+Answer get_events(Service& service, const Call& call) {
+  const auto job = job_or_problem(service.store, call.captured[0]);
+  auto slot = std::make_shared<StreamSlot>(service.streams);
+  if (service.streams > static_cast<int>(service.limits.streams)) {
+    throw Problem(Failure::too_busy, "too many event streams are open: poll the job instead");
+  }
+  auto follower =
+      std::make_shared<Follower>(Follower{service, job.id, call.header("Last-Event-ID")});
+  Answer answer;
+  answer.type = "text/event-stream";
+  answer.headers.emplace_back("Cache-Control", "no-cache");
+  answer.stream = [slot, follower] { return follower->next(); };
+  return answer;
+}
+
+}  // namespace leda::server

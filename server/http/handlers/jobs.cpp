@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "server/http/handlers/handlers.hpp"
+#include "server/http/handlers/job_document.hpp"
+#include "server/http/handlers/parameters.hpp"
+#include "server/http/problem.hpp"
+#include "server/jobs/service.hpp"
+
+namespace leda::server {
+namespace {
+
+using nlohmann::json;
+
+/// "FROM/TO" with ".." or nothing for an open end, or one moment.
+void read_datetime(const Call& call, db::JobFilter& filter) {
+  const auto given = call.parameter("datetime");
+  if (!given) return;
+  const auto slash = given->find('/');
+  const auto end_of = [&](const std::string& text) {
+    if (text.empty() || text == "..") return std::string();
+    if (!is_datetime(text)) {
+      throw Problem(Failure::invalid_parameter,
+                    "datetime is '" + *given + "': give 2026-01-31T12:00:00Z or FROM/TO");
+    }
+    return text;
+  };
+  filter.created_from = end_of(given->substr(0, slash));
+  filter.created_to =
+      slash == std::string::npos ? filter.created_from : end_of(given->substr(slash + 1));
+}
+
+db::JobFilter filter_of(const Call& call) {
+  db::JobFilter filter;
+  filter.processes = list(call, "processID");
+  for (const auto& name : list(call, "status")) {
+    const auto state = db::job_state_from(name);
+    if (!state) {
+      throw Problem(
+          Failure::invalid_parameter,
+          "status is '" + name + "': give accepted, running, successful, failed or dismissed");
+    }
+    filter.states.push_back(*state);
+  }
+  read_datetime(call, filter);
+  filter.least_s = seconds(call, "minDuration");
+  filter.most_s = seconds(call, "maxDuration");
+  filter.limit = whole_number(call, "limit", 100, 1, 1000);
+  filter.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
+  return filter;
+}
+
+}  // namespace
+
+Answer get_jobs(Service& service, const Call& call) {
+  format(call, {"json"});
+  const db::JobFilter filter = filter_of(call);
+  const auto types = list(call, "type");
+  const bool none =
+      !types.empty() && std::find(types.begin(), types.end(), "process") == types.end();
+  json jobs = json::array();
+  json links = json::array(
+      {{{"href", service.url + "/jobs"}, {"rel", "self"}, {"type", "application/json"}}});
+  const int total = none ? 0 : service.store.count_jobs(filter);
+  if (!none) {
+    for (const auto& job : service.store.jobs(filter))
+      jobs.push_back(status_info(job, service.url));
+  }
+  if (filter.offset + filter.limit < total) {
+    links.push_back(
+        {{"href", with_offset(call, service.url + "/jobs", filter.offset + filter.limit)},
+         {"rel", "next"},
+         {"type", "application/json"}});
+  }
+  return json_answer({{"jobs", jobs}, {"links", links}, {"numberMatched", total}});
+}
+
+Answer get_job(Service& service, const Call& call) {
+  format(call, {"json"});
+  return json_answer(status_info(job_or_problem(service.store, call.captured[0]), service.url));
+}
+
+Answer delete_job(Service& service, const Call& call) {
+  const std::string& id = call.captured[0];
+  job_or_problem(service.store, id);
+  service.dispatcher.dismiss(id);
+  return json_answer(status_info(job_or_problem(service.store, id), service.url));
+}
+
+Answer post_retry(Service& service, const Call& call) {
+  return json_answer(status_info(retry(service, call.captured[0]), service.url));
+}
+
+}  // namespace leda::server

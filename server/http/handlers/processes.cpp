@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cctype>
+#include <nlohmann/json.hpp>
+
+#include "server/documents/execute_options.hpp"
+#include "server/http/handlers/handlers.hpp"
+#include "server/http/handlers/job_document.hpp"
+#include "server/http/handlers/parameters.hpp"
+#include "server/http/problem.hpp"
+#include "server/jobs/service.hpp"
+#include "server/operate/version.hpp"
+
+namespace leda::server {
+namespace {
+
+using nlohmann::json;
+
+const Process& process_or_problem(const std::string& id) {
+  const Process* process = find_process(id);
+  if (process == nullptr) throw Problem(Failure::no_such_process, "there is no process " + id);
+  return *process;
+}
+
+json summary_of(const Process& process, const std::string& url) {
+  const std::string own = url + "/processes/" + std::string(process.id);
+  return {{"id", process.id},
+          {"title", process.title},
+          {"description", process.description},
+          {"version", version()},
+          {"jobControlOptions", {"async-execute", "dismiss"}},
+          {"outputTransmission", {"value"}},
+          {"links",
+           {{{"href", own}, {"rel", "self"}, {"type", "application/json"}},
+            {{"href", own + "/execution"},
+             {"rel", "http://www.opengis.net/def/rel/ogc/1.0/execute"},
+             {"type", "application/json"}}}}};
+}
+
+/// Header values arrive percent-decoded, so a key may hold anything until it is checked.
+std::string idempotency_key(const Call& call) {
+  std::string key = call.header("Idempotency-Key");
+  const bool sound = key.size() <= 128 && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+                       return std::isalnum(c) != 0 || c == '-' || c == '_' || c == '.' || c == ':';
+                     });
+  if (!sound) {
+    throw Problem(Failure::invalid_request,
+                  "Idempotency-Key: at most 128 letters, digits and - _ . :");
+  }
+  return key;
+}
+
+}  // namespace
+
+Answer get_processes(Service& service, const Call& call) {
+  format(call, {"json"});
+  json list = json::array();
+  for (const Process& process : processes()) list.push_back(summary_of(process, service.url));
+  return json_answer(
+      {{"processes", list},
+       {"links",
+        {{{"href", service.url + "/processes"}, {"rel", "self"}, {"type", "application/json"}}}}});
+}
+
+Answer get_process(Service& service, const Call& call) {
+  format(call, {"json"});
+  const Process& process = process_or_problem(call.captured[0]);
+  json document = summary_of(process, service.url);
+  document.update(process.describe());
+  return json_answer(document);
+}
+
+Answer post_execution(Service& service, const Call& call) {
+  const Process& process = process_or_problem(call.captured[0]);
+  const std::string key = idempotency_key(call);
+  const std::string request = call.read_body(service.limits.document_bytes);
+  if (execute_options_of(request).dry_run) return json_answer(dry_run(service, process, request));
+  const Submitted submitted = submit(service, process, request, key);
+  Answer answer = json_answer(status_info(submitted.job, service.url), 201);
+  answer.headers.emplace_back("Location", service.url + "/jobs/" + submitted.job.id);
+  answer.headers.emplace_back("Preference-Applied", "respond-async");
+  return answer;
+}
+
+}  // namespace leda::server

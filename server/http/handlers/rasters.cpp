@@ -1,0 +1,150 @@
+#include "server/layers/rasters.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "profiles/hillshade.hpp"
+#include "server/http/handlers/handlers.hpp"
+#include "server/http/handlers/parameters.hpp"
+#include "server/http/problem.hpp"
+#include "server/jobs/service.hpp"
+
+namespace leda::server {
+namespace {
+
+using nlohmann::json;
+
+json document_of(const db::RasterRecord& raster, const std::string& url) {
+  return {
+      {"id", raster.id},
+      {"name", raster.name},
+      {"crs", "EPSG:" + std::to_string(raster.epsg)},
+      {"cell", {raster.cell_x, raster.cell_y}},
+      {"size", {raster.width, raster.height}},
+      {"bbox", raster.box},
+      {"vertical_unit", raster.vertical_unit},
+      {"sha256", raster.sha256},
+      {"created", raster.created},
+      {"links",
+       {{{"href", url + "/rasters/" + raster.id}, {"rel", "self"}, {"type", "application/json"}},
+        {{"href", url + "/rasters/" + raster.id + "/hillshade.png"},
+         {"rel", "preview"},
+         {"type", "image/png"}}}}};
+}
+
+db::RasterRecord raster_or_problem(const Service& service, const std::string& id) {
+  auto raster = service.store.raster(id);
+  if (!raster) throw Problem(Failure::no_such_resource, "there is no raster '" + id + "'");
+  return *raster;
+}
+
+/// The body of the call in a file, for as long as this lives.
+class Upload {
+ public:
+  Upload(const Call& call, std::filesystem::path file, std::uint64_t most_bytes)
+      : file_(std::move(file)) {
+    std::ofstream out(file_, std::ios::binary);
+    const bool whole = call.body([&](const char* data, std::size_t size) {
+      bytes_ += size;
+      if (bytes_ > most_bytes) return true;  // read and dropped
+      return static_cast<bool>(out.write(data, static_cast<std::streamsize>(size)));
+    });
+    out.close();
+    if (!whole || !out) {
+      remove();
+      throw Problem(Failure::invalid_request, "the body could not be read whole");
+    }
+    if (bytes_ > most_bytes) {
+      remove();
+      throw Problem(Failure::too_large,
+                    "the DEM is larger than " + std::to_string(most_bytes) + " bytes");
+    }
+    if (bytes_ == 0) {
+      remove();
+      throw Problem(Failure::invalid_request, "the body is empty: send a GeoTIFF");
+    }
+  }
+  ~Upload() { remove(); }
+  Upload(const Upload&) = delete;
+  Upload& operator=(const Upload&) = delete;
+
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  void remove() {
+    std::error_code ignored;
+    std::filesystem::remove(file_, ignored);
+  }
+  std::filesystem::path file_;
+  std::uint64_t bytes_ = 0;
+};
+
+/// One of the few registrations that may go on at once: each reads and writes a whole DEM.
+class RegistrationSlot {
+ public:
+  explicit RegistrationSlot(Service& service) : service_(service) {
+    if (++service_.registrations <= static_cast<int>(service_.limits.registrations)) return;
+    --service_.registrations;
+    throw Problem(Failure::too_busy, "other DEMs are being registered: try again soon");
+  }
+  ~RegistrationSlot() { --service_.registrations; }
+  RegistrationSlot(const RegistrationSlot&) = delete;
+  RegistrationSlot& operator=(const RegistrationSlot&) = delete;
+
+ private:
+  Service& service_;
+};
+
+}  // namespace
+
+Answer post_raster(Service& service, const Call& call) {
+  profiles::DemOptions options;
+  options.epsg = whole_number(call, "epsg", 0, 1024, 999'999);
+  options.vertical_unit = call.parameter("vertical_unit").value_or("");
+  const std::string& unit = options.vertical_unit;
+  if (!unit.empty() && unit != "m" && unit != "ft" && unit != "us-ft") {
+    throw Problem(Failure::invalid_parameter,
+                  "vertical_unit is '" + unit + "': give m, ft or us-ft");
+  }
+  const std::string name = call.parameter("name").value_or("");
+  refuse_bad_raster_name(name);
+  const RegistrationSlot slot(service);
+  const Upload upload(call, service.data.uploads() / (random_hex(16) + ".upload"),
+                      service.limits.raster_bytes);
+  const auto raster = register_raster(service.data, service.store, upload.file(), name, options);
+  Answer answer = json_answer(document_of(raster, service.url), 201);
+  answer.headers.emplace_back("Location", service.url + "/rasters/" + raster.id);
+  return answer;
+}
+
+Answer get_rasters(Service& service, const Call& call) {
+  format(call, {"json"});
+  json rasters = json::array();
+  for (const auto& raster : service.store.rasters()) {
+    rasters.push_back(document_of(raster, service.url));
+  }
+  return json_answer({{"rasters", rasters}});
+}
+
+Answer get_raster(Service& service, const Call& call) {
+  format(call, {"json"});
+  return json_answer(document_of(raster_or_problem(service, call.captured[0]), service.url));
+}
+
+Answer get_hillshade(Service& service, const Call& call) {
+  const auto raster = raster_or_problem(service, call.captured[0]);
+  const std::string tag = "\"" + raster.id + "\"";  // a part of its file's hash
+  if (has_already(call, tag)) return not_modified(tag);
+  Answer answer;
+  answer.headers.emplace_back("ETag", tag);
+  answer.type = "image/png";
+  answer.file = service.data.rasters() / (raster.id + ".hillshade.png");
+  answer.headers.emplace_back("Cache-Control", "max-age=86400");
+  if (!std::filesystem::exists(answer.file)) {
+    const auto dem = profiles::Dem::open(service.data.root() / raster.file);
+    profiles::write_hillshade(dem, answer.file);
+  }
+  return answer;
+}
+
+}  // namespace leda::server

@@ -1,0 +1,73 @@
+#include "server/http/routes.hpp"
+
+#include <array>
+
+#include "server/http/handlers/handlers.hpp"
+
+namespace leda::server {
+namespace {
+
+constexpr std::array table{
+    Route{"GET", "/", get_landing, "Landing page", "f", "landingPage text/html"},
+    Route{"GET", "/conformance", get_conformance, "Conformance classes", "f", "confClasses"},
+    Route{"GET", "/api", get_api, "This interface as OpenAPI 3.0", "f",
+          "application/vnd.oai.openapi+json;version=3.0"},
+
+    Route{"GET", "/processes", get_processes, "What can be run", "f limit", "processList"},
+    Route{"GET", "/processes/{processID}", get_process, "A process and its schemas", "f",
+          "process"},
+    Route{"POST", "/processes/{processID}/execution", post_execution, "Start a job", "",
+          "statusInfo", Role::submit},
+
+    Route{"GET", "/jobs", get_jobs, "Jobs, newest first",
+          "f type processID status datetime minDuration maxDuration limit offset", "jobList"},
+    Route{"GET", "/jobs/{jobID}", get_job, "Status of a job", "f", "statusInfo"},
+    Route{"DELETE", "/jobs/{jobID}", delete_job, "Dismiss a job", "", "statusInfo", Role::submit},
+    Route{"GET", "/jobs/{jobID}/results", get_results, "Results of a job", "f",
+          "results text/csv image/svg+xml application/geo+json application/geopackage+sqlite3 "
+          "application/zip"},
+    Route{"GET", "/jobs/{jobID}/events", get_events, "Status as Server-Sent Events", "",
+          "text/event-stream"},
+    Route{"POST", "/jobs/{jobID}/retry", post_retry, "Run again what failed", "", "statusInfo",
+          Role::submit},
+    Route{"GET", "/jobs/{jobID}/sections", get_sections, "Sections of a job", "f limit offset",
+          "sectionList"},
+    Route{"GET", "/jobs/{jobID}/sections/{name}", get_section,
+          "A section: profile before and after, result, log", "f", "section"},
+    Route{"GET", "/jobs/{jobID}/sections/{name}/log", get_section_log,
+          "What the worker of its latest run wrote", "tail", "text/plain"},
+    Route{"GET", "/jobs/{jobID}/compare", get_compare, "Two sections side by side", "f sections",
+          "comparison image/svg+xml"},
+    Route{"GET", "/jobs/{jobID}/export", get_export, "Sections and zones as a file", "f",
+          "application/geopackage+sqlite3 application/geo+json application/zip"},
+
+    Route{"POST", "/rasters", post_raster, "Register a DEM: the body is a GeoTIFF",
+          "name vertical_unit epsg", "raster", Role::submit},
+    Route{"GET", "/rasters", get_rasters, "Registered DEMs", "f", "rasterList"},
+    Route{"GET", "/rasters/{rasterID}", get_raster, "A registered DEM", "f", "raster"},
+    Route{"GET", "/rasters/{rasterID}/hillshade.png", get_hillshade, "A shaded picture of a DEM",
+          "", "image/png"},
+
+    Route{"GET", "/collections", get_collections, "Layers of the map", "f", "collections"},
+    Route{"GET", "/collections/{collectionID}", get_collection, "A layer", "f", "collection"},
+    Route{"GET", "/collections/{collectionID}/schema", get_schema, "Properties of its features",
+          "f", "application/schema+json"},
+    Route{"GET", "/collections/{collectionID}/items", get_items, "Features of a layer",
+          "f bbox limit offset job datetime", "featureCollectionGeoJSON"},
+    Route{"GET", "/collections/{collectionID}/items/{featureID}", get_item, "A feature", "f",
+          "featureGeoJSON"},
+
+    Route{"POST", "/purge", post_purge, "Remove what old jobs left", "older_than_days jobs",
+          "purged", Role::admin},
+    Route{"GET", "/healthz", get_healthz, "The process lives", "", "health", Role::anyone},
+    Route{"GET", "/readyz", get_readyz, "The store answers and jobs are run", "", "health",
+          Role::anyone},
+    Route{"GET", "/metrics", get_metrics, "Counters in the Prometheus text format", "",
+          "text/plain"},
+};
+
+}  // namespace
+
+std::span<const Route> routes() { return table; }
+
+}  // namespace leda::server

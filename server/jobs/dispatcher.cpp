@@ -1,0 +1,312 @@
+#include "server/jobs/dispatcher.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "server/http/problem.hpp"
+#include "server/layers/summary.hpp"
+#include "server/operate/logging.hpp"
+#include "server/run/run_checkpoint.hpp"
+#include "server/run/whole_file.hpp"
+
+namespace leda::server {
+
+using db::JobState;
+using db::SectionState;
+
+namespace {
+
+constexpr int most_starts_a_turn = 50;
+constexpr std::chrono::milliseconds between_turns{50};
+constexpr std::chrono::milliseconds after_failure{1000};
+constexpr std::chrono::milliseconds to_wind_down{3500};
+constexpr std::chrono::milliseconds shortest_pause_for_space{1000};
+constexpr std::chrono::milliseconds longest_pause_for_space{60'000};
+
+/// A folder that no earlier try has used, not even one that died before it was stored.
+std::string new_folder(const DataFolder& data, const std::string& job,
+                       const db::SectionRecord& section) {
+  for (int number = section.attempts + 1;; ++number) {
+    std::string run = job + "-" + std::to_string(section.ordinal) + "-" + std::to_string(number);
+    if (std::filesystem::create_directory(data.run(run))) return run;
+  }
+}
+
+/// What a try that was cut off reached is not lost for the next one.
+void hand_over(const DataFolder& data, const std::string& job, const std::string& from,
+               const std::string& to) {
+  try {
+    hand_over_checkpoint(data.run(from), data.run(to));
+  } catch (const std::exception& error) {
+    if (tells_of_full_disk(error)) throw;
+    remove_checkpoint(data.run(to));
+    log_warning(job, "no checkpoint is handed over run={} reason={}", to, in_quotes(error.what()));
+  }
+}
+
+}  // namespace
+
+Dispatcher::Dispatcher(const DataFolder& data, db::Store& store, MakeExecutor make_executor,
+                       RunWatch watch)
+    : data_(data),
+      store_(store),
+      make_executor_(std::move(make_executor)),
+      watch_(std::move(watch)),
+      last_turn_(std::chrono::steady_clock::now()) {}
+
+Dispatcher::~Dispatcher() {
+  {
+    const std::lock_guard lock(inbox_mutex_);
+    stop_ = true;
+  }
+  wake_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void Dispatcher::start() {
+  const std::lock_guard lock(inbox_mutex_);
+  for (const auto& job : store_.unfinished_jobs()) to_take_up_.push_back(job.id);
+  thread_ = std::thread([this] { work(); });
+}
+
+void Dispatcher::add(const std::string& job) {
+  {
+    const std::lock_guard lock(inbox_mutex_);
+    to_take_up_.push_back(job);
+  }
+  wake_.notify_all();
+}
+
+std::size_t Dispatcher::running() const { return running_; }
+
+std::chrono::steady_clock::duration Dispatcher::since_last_turn() const {
+  return std::chrono::steady_clock::now() - last_turn_.load();
+}
+
+void Dispatcher::dismiss(const std::string& job) {
+  {
+    const std::lock_guard inbox(inbox_mutex_);
+    std::erase(to_take_up_, job);
+  }
+  const std::lock_guard lock(mutex_);
+  store_.set_job_state(job, JobState::dismissed, "dismissed");
+  const auto found = jobs_.find(job);
+  if (found != jobs_.end()) {
+    for (const auto& [run, of] : runs_) {
+      if (of.job == job) executor_->cancel(run);
+    }
+    std::erase_if(runs_, [&](const auto& entry) { return entry.second.job == job; });
+    jobs_.erase(found);
+    running_ = runs_.size();
+  }
+  for (const auto& section : store_.sections(job)) {
+    if (section.state == SectionState::waiting || section.state == SectionState::running) {
+      store_.set_section_state(section.id, SectionState::dismissed, "the job was dismissed");
+    }
+  }
+  log_info(job, "dismissed");
+}
+
+void Dispatcher::work() {
+  for (bool stopped = false; !stopped;) {
+    auto pause = between_turns;
+    try {
+      const std::lock_guard lock(mutex_);
+      if (!executor_) executor_ = make_executor_();
+      turn();
+      last_turn_ = std::chrono::steady_clock::now();
+    } catch (const std::exception& error) {
+      log_error("-", "dispatcher tries again reason={}", in_quotes(error.what()));
+      pause = after_failure;
+    }
+    std::unique_lock inbox(inbox_mutex_);
+    wake_.wait_for(inbox, pause, [this] { return stop_ || !to_take_up_.empty(); });
+    stopped = stop_;
+  }
+  const std::lock_guard lock(mutex_);
+  if (executor_) wind_down();
+  executor_.reset();
+}
+
+void Dispatcher::turn() {
+  take_up_new_jobs();
+  for (auto& end : executor_->poll()) ended_.push_back(std::move(end));
+  while (!ended_.empty()) {
+    settle(ended_.front());
+    ended_.pop_front();
+  }
+  // A limit, because screening may finish thousands of sections without ever filling a slot, and
+  // the jobs of others wait for the lock meanwhile.
+  for (int i = 0; i < most_starts_a_turn && executor_->free_slots() > 0 &&
+                  std::chrono::steady_clock::now() >= no_start_before_ && start_next();
+       ++i) {
+  }
+  running_ = runs_.size();
+  book_started_jobs();
+  report_progress();
+  finish_done_jobs();
+}
+
+/// A job leaves the inbox when it was taken up: where the store fails it is tried again.
+void Dispatcher::take_up_new_jobs() {
+  for (;;) {
+    std::string id;
+    {
+      const std::lock_guard inbox(inbox_mutex_);
+      if (to_take_up_.empty()) return;
+      id = to_take_up_.front();
+    }
+    take_up(id);
+    const std::lock_guard inbox(inbox_mutex_);
+    if (!to_take_up_.empty() && to_take_up_.front() == id) to_take_up_.pop_front();
+  }
+}
+
+void Dispatcher::take_up(const std::string& id) {
+  const auto record = store_.job(id);
+  if (!record || jobs_.contains(id)) return;
+  if (record->state != JobState::accepted && record->state != JobState::running) return;
+  OpenJob job;
+  job.record = *record;
+  try {
+    const Process* process = find_process(record->process);
+    if (process == nullptr) throw std::runtime_error("no process " + record->process);
+    job.work = process->open(record->request, {data_, store_, record->raster});
+    job.sections = store_.sections(id);
+    if (job.sections.empty()) {
+      store_.set_sections(id, job.work->plan());
+      job.sections = store_.sections(id);
+    }
+  } catch (const db::StoreError&) {
+    throw;
+  } catch (const std::exception& error) {
+    log_error(id, "cannot be taken up reason={}", in_quotes(error.what()));
+    store_.set_job_state(id, JobState::failed,
+                         std::string("the job could not be taken up: ") + error.what());
+    return;
+  }
+  for (std::size_t i = 0; i < job.sections.size(); ++i) {
+    if (job.sections[i].state == SectionState::waiting) job.waiting.insert(i);
+  }
+  recover(job);
+  log_info(id, "taken up sections={} waiting={}", job.sections.size(), job.waiting.size());
+  jobs_[id] = std::move(job);
+}
+
+/// The job with the fewest runs comes first, so that a small one need not wait for a large one.
+bool Dispatcher::start_next() {
+  OpenJob* next = nullptr;
+  for (auto& [id, job] : jobs_) {
+    if (job.waiting.empty()) continue;
+    const bool sooner = next == nullptr || job.running < next->running ||
+                        (job.running == next->running && job.record.created < next->record.created);
+    if (sooner) next = &job;
+  }
+  if (next == nullptr) return false;
+  const std::size_t section = *next->waiting.begin();
+  if (!screened_out(*next, next->sections[section])) start_run(*next, section);
+  return true;
+}
+
+/// Screens a section that was not screened yet. True where it needs no run: it is stable then.
+bool Dispatcher::screened_out(OpenJob& job, db::SectionRecord& section) {
+  if (!section.screening.empty()) return false;
+  const auto screened = job.work->screen(section);
+  if (!screened) return false;
+  store_.set_screening(section.id, screened->document);
+  section.screening = screened->document;
+  if (!screened->skip) return false;
+  section.reason = "not simulated: " + screened->reason;
+  set_state(job, section, SectionState::stable, section.reason);
+  return true;
+}
+
+/// A folder with all that a worker needs, booked in the store.
+std::string Dispatcher::new_run(const std::string& job, const db::SectionRecord& section) {
+  const OpenJob& open = jobs_.at(job);
+  std::string run = new_folder(data_, job, section);
+  try {
+    write_durably(data_.run(run) / "case.json", open.work->case_file(section));
+    if (!section.run.empty()) hand_over(data_, job, section.run, run);
+    store_.start_run(section.id, run);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove_all(data_.run(run), ignored);
+    throw;
+  }
+  return run;
+}
+
+void Dispatcher::start_run(OpenJob& job, std::size_t index) {
+  db::SectionRecord& section = job.sections[index];
+  const std::string id = job.record.id, before = section.run;
+  try {
+    section.run = new_run(id, section);
+  } catch (const db::StoreError&) {
+    throw;
+  } catch (const std::exception& error) {
+    if (tells_of_full_disk(error)) return wait_for_space();
+    log_error(id, "run cannot be started section={} reason={}", in_quotes(section.name),
+              in_quotes(error.what()));
+    set_state(job, section, SectionState::failed,
+              data_.without_root(std::string("the run cannot be started: ") + error.what()));
+    return;
+  }
+  if (!before.empty()) remove_checkpoint_of(before);
+  section.state = SectionState::running;
+  job.waiting.erase(index);
+  ++section.attempts;
+  runs_[section.run] = {id, index};
+  ++job.running;
+  executor_->submit({section.run, data_.run(section.run)});
+  log_info(id, "run started section={} run={}", in_quotes(section.name), section.run);
+}
+
+void Dispatcher::book_started_jobs() {
+  for (auto& [id, job] : jobs_) {
+    if (job.record.state != JobState::accepted || job.running == 0) continue;
+    store_.set_job_state(id, JobState::running, progress_message(job.sections));
+    job.record.state = JobState::running;
+  }
+}
+
+/// A checkpoint that is of no more use; where it stays, purge removes it with its folder.
+void Dispatcher::remove_checkpoint_of(const std::string& run) {
+  try {
+    remove_checkpoint(data_.run(run));
+  } catch (const std::filesystem::filesystem_error& error) {
+    log_warning("-", "checkpoint stays run={} reason={}", run, in_quotes(error.what()));
+  }
+}
+
+/// Runs that found no space are no failures: they wait, and go on from their checkpoints.
+void Dispatcher::wait_for_space() {
+  pause_for_space_ =
+      std::clamp(2 * pause_for_space_, shortest_pause_for_space, longest_pause_for_space);
+  no_start_before_ = std::chrono::steady_clock::now() + pause_for_space_;
+  log_error("-", "the disk is full: no run is started for {} s", pause_for_space_.count() / 1000);
+}
+
+/// Workers are asked to end; what has a result by then is taken in. Runs of a cluster go on and
+/// are adopted at the next start.
+void Dispatcher::wind_down() {
+  if (executor_->outlives_server()) return;
+  for (const auto& [run, of] : runs_) executor_->cancel(run);
+  const auto until = std::chrono::steady_clock::now() + to_wind_down;
+  while (!runs_.empty() && std::chrono::steady_clock::now() < until) {
+    for (const auto& end : executor_->poll()) {
+      const auto run = runs_.find(end.run);
+      if (run == runs_.end()) continue;
+      try {
+        if (end.how == RunEnd::How::exited && end.exit_code == 0) settle(end);
+      } catch (const std::exception& error) {
+        log_error("-", "result left for the next start run={} reason={}", end.run,
+                  in_quotes(error.what()));
+      }
+      runs_.erase(end.run);  // without a result its row stays running, for the next start
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+}
+
+}  // namespace leda::server

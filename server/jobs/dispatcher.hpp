@@ -1,0 +1,120 @@
+#pragma once
+// What runs next, and what becomes of a run that ended. The truth is in the store: after kill -9
+// at any moment a new dispatcher takes up everything unfinished, and counts nothing twice.
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "db/store.hpp"
+#include "server/jobs/executors/executor.hpp"
+#include "server/jobs/process.hpp"
+#include "server/operate/data_folder.hpp"
+
+namespace leda::server {
+
+/// What happens to runs, for whoever counts. Called from the dispatcher's thread.
+struct RunWatch {
+  std::function<void(const SectionResult&)> taken_in;
+  std::function<void(int)> restarted;  ///< how many runs
+};
+
+class Dispatcher {
+ public:
+  /// A run that crashes is tried this often in the life of one dispatcher.
+  static constexpr int most_tries = 3;
+
+  using MakeExecutor = std::function<std::unique_ptr<Executor>()>;
+
+  /// The executor is made, used and destroyed in the dispatcher's own thread.
+  Dispatcher(const DataFolder& data, db::Store& store, MakeExecutor make_executor,
+             RunWatch watch = {});
+  /// Ends the runs that still go, where they can't outlive the server: a later dispatcher lets
+  /// them go on from their checkpoints, and adopts the others.
+  ~Dispatcher();
+  Dispatcher(const Dispatcher&) = delete;
+  Dispatcher& operator=(const Dispatcher&) = delete;
+
+  /// Takes up every unfinished job of the store, then works until it is destroyed.
+  void start();
+  /// A job was committed to the store, or put back by retry.
+  void add(const std::string& job);
+  /// Ends a job that is not finished; its runs are killed.
+  void dismiss(const std::string& job);
+  /// Runs going on now.
+  std::size_t running() const;
+  /// How long ago it last looked at its jobs without a failure.
+  std::chrono::steady_clock::duration since_last_turn() const;
+
+ private:
+  struct OpenJob {
+    db::JobRecord record;
+    std::unique_ptr<Work> work;
+    std::vector<db::SectionRecord> sections;  ///< in step with the store
+    std::set<std::size_t> waiting;            ///< indices of those that wait
+    std::map<std::size_t, int> crashes;       ///< by index of the section
+    std::size_t running = 0;
+  };
+  struct Run {
+    std::string job;
+    std::size_t section = 0;  ///< index in the job's sections
+  };
+
+  void work();
+  void turn();
+  void take_up_new_jobs();
+  bool screened_out(OpenJob& job, db::SectionRecord& section);
+  void take_up(const std::string& id);
+  void recover(OpenJob& job);
+  void settle(const RunEnd& end);
+  void take_in(OpenJob& job, db::SectionRecord& section);
+  void gave_no_result(OpenJob& job, std::size_t index, const RunEnd& end, const std::string& fault);
+  bool start_next();
+  void start_run(OpenJob& job, std::size_t index);
+  std::string new_run(const std::string& job, const db::SectionRecord& section);
+  void wait_for_space();
+  void remove_checkpoint_of(const std::string& run);
+  void book_started_jobs();
+  void report_progress();
+  void finish(OpenJob& job);
+  void finish_done_jobs();
+  void wind_down();
+  void set_state(OpenJob& job, db::SectionRecord& section, db::SectionState state,
+                 const std::string& reason);
+
+  const DataFolder& data_;
+  db::Store& store_;
+  MakeExecutor make_executor_;
+  RunWatch watch_;
+  std::atomic<std::chrono::steady_clock::time_point> last_turn_;
+
+  std::atomic<std::size_t> running_{0};
+
+  std::mutex inbox_mutex_;  ///< guards these three; never held for long
+  std::condition_variable wake_;
+  std::deque<std::string> to_take_up_;
+  bool stop_ = false;
+
+  std::mutex mutex_;  ///< guards everything below
+  std::unique_ptr<Executor> executor_;
+  std::deque<RunEnd> ended_;  ///< not settled yet
+  std::map<std::string, OpenJob> jobs_;
+  std::map<std::string, Run> runs_;
+  std::chrono::steady_clock::time_point progress_told_{};
+  /// While the disk is full no run is started before this, and the pause doubles.
+  std::chrono::steady_clock::time_point no_start_before_{};
+  std::chrono::milliseconds pause_for_space_{0};
+  std::thread thread_;
+};
+
+}  // namespace leda::server

@@ -1,0 +1,107 @@
+#include "server/jobs/dry_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "server/jobs/run_size.hpp"
+
+namespace leda::server {
+namespace {
+
+using nlohmann::json;
+
+json row_of(const db::SectionRecord& section) {
+  return {{"name", section.name},
+          {"line", section.line < 0 ? json() : json(section.line)},
+          {"order_m", section.line < 0 ? json() : json(section.order)},
+          {"state", db::to_string(section.state)},
+          {"reason", section.reason},
+          {"particles", nullptr}};
+}
+
+struct Sum {
+  std::size_t waiting = 0, left_out = 0, screened = 0, stable = 0;
+  double particles = 0, most_particles = 0, likely_s = 0, longest_s = 0, disk = 0;
+
+  void add(const RunSize& size, const db::TypicalRun& typical) {
+    const RunCost cost = cost_of(size, typical);
+    ++waiting;
+    particles += size.particles;
+    most_particles = std::max(most_particles, size.particles);
+    likely_s += cost.likely_core_s;
+    longest_s += cost.longest_core_s;
+    disk += cost.disk_bytes;
+  }
+};
+
+/// Marks a section that screening finds stable. Of many sections every n-th is looked at.
+void screen(const Work& work, db::SectionRecord& section, Sum& sum) {
+  const auto screened = work.screen(section);
+  if (!screened) return;
+  ++sum.screened;
+  if (!screened->skip) return;
+  ++sum.stable;
+  section.state = db::SectionState::stable;
+  section.reason = screened->reason;
+}
+
+std::string basis(const db::TypicalRun& typical) {
+  if (typical.runs == 0) return "an ordinary core: the store holds no results yet";
+  return "the median of the newest " + std::to_string(typical.runs) + " results of this store";
+}
+
+json estimate_of(const Sum& sum, const db::TypicalRun& typical) {
+  // Of sections that were not looked at, as many are stable as of those that were.
+  const double share =
+      sum.screened == 0 ? 1
+                        : 1 - static_cast<double>(sum.stable) / static_cast<double>(sum.screened);
+  return {{"runs", std::llround(static_cast<double>(sum.waiting) * share)},
+          {"left_out", sum.left_out},
+          {"screened", sum.screened},
+          {"stable", std::llround(static_cast<double>(sum.waiting) * (1 - share))},
+          {"particles", std::round(sum.particles * share)},
+          {"most_particles_of_a_run", std::round(sum.most_particles)},
+          {"core_hours", sum.likely_s * share / 3600},
+          {"core_hours_at_most", sum.longest_s / 3600},
+          {"disk_bytes", std::round(sum.disk * share)},
+          {"based_on", basis(typical)}};
+}
+
+}  // namespace
+
+json dry_run(const Process& process, const Work& work, const db::Store& store) {
+  auto sections = work.plan();
+  const db::TypicalRun typical = typical_or_default(store.typical_run());
+  const std::size_t every = sections.size() / most_screened_in_a_dry_run + 1;
+  Sum sum;
+  json rows = json::array();
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    auto& section = sections[i];
+    json particles;
+    if (section.state == db::SectionState::waiting) {
+      const RunSize size = work.size(section);
+      sum.add(size, typical);
+      particles = std::round(size.particles);
+      if (i % every == 0) screen(work, section, sum);
+    } else {
+      ++sum.left_out;
+    }
+    rows.push_back(row_of(section));
+    rows.back()["particles"] = particles;
+  }
+  return {{"dryRun", true},
+          {"processID", process.id},
+          {"sections", rows},
+          {"estimate", estimate_of(sum, typical)}};
+}
+
+double particles_of(const Work& work, const std::vector<db::SectionRecord>& sections) {
+  double particles = 0;
+  for (const auto& section : sections) {
+    if (section.state == db::SectionState::waiting) particles += work.size(section).particles;
+  }
+  return particles;
+}
+
+}  // namespace leda::server

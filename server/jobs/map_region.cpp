@@ -1,0 +1,234 @@
+#include "server/jobs/map_region.hpp"
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "profiles/build_section.hpp"
+#include "profiles/dem.hpp"
+#include "profiles/lay_out_sections.hpp"
+#include "profiles/place_result.hpp"
+#include "profiles/trace_profile.hpp"
+#include "profiles/zonation.hpp"
+#include "server/documents/case_file.hpp"
+#include "server/documents/screening_document.hpp"
+#include "server/http/limits.hpp"
+#include "server/http/problem.hpp"
+#include "server/jobs/request_pointers.hpp"
+#include "solver/screening/decide.hpp"
+
+namespace leda::server {
+namespace {
+
+using db::SectionRecord;
+using db::SectionState;
+
+/// The same fault in a thousand sections is told once, with their number.
+class RegionFaults {
+ public:
+  void add(const std::string& pointer, const std::string& message, const std::string& section) {
+    Told& told = by_place_[pointer + "\n" + message];
+    if (told.count++ == 0) {
+      told.fault = {pointer, message};
+      told.first_section = section;
+    }
+  }
+
+  std::vector<Fault> list() const {
+    std::vector<Fault> faults;
+    for (const auto& [place, told] : by_place_) {
+      Fault fault = told.fault;
+      if (!told.first_section.empty()) {
+        fault.message += " (section " + told.first_section;
+        if (told.count > 1) fault.message += " and " + std::to_string(told.count - 1) + " more";
+        fault.message += ")";
+      }
+      faults.push_back(fault);
+    }
+    return faults;
+  }
+
+  bool none() const { return by_place_.empty(); }
+
+ private:
+  struct Told {
+    Fault fault;
+    std::string first_section;
+    int count = 0;
+  };
+  std::map<std::string, Told> by_place_;
+};
+
+Profile profile_of(const SectionRecord& section) {
+  return {
+      section.name, section.trace, section.ground, {section.crest, section.toe}, section.warnings};
+}
+
+SectionRecord record_of(const Profile& profile, const profiles::LaidSection& laid) {
+  SectionRecord record;
+  record.name = laid.name;
+  record.line = laid.line;
+  record.order = laid.order;
+  record.trace = profile.trace;
+  record.ground = profile.ground;
+  record.crest = profile.bank.crest;
+  record.toe = profile.bank.toe;
+  record.warnings = profile.warnings;
+  return record;
+}
+
+SectionRecord record_of(const LeftOut& left_out, const profiles::LaidSection& laid) {
+  SectionRecord record;
+  record.name = laid.name;
+  record.line = laid.line;
+  record.order = laid.order;
+  record.trace = left_out.trace;
+  record.state = SectionState::left_out;
+  record.reason = left_out.reason;
+  return record;
+}
+
+class Region final : public Work {
+ public:
+  Region(const std::string& text, RegionRequest request, db::RasterRecord raster,
+         std::filesystem::path dem_file)
+      : document_(nlohmann::json::parse(text)),
+        request_(std::move(request)),
+        raster_(std::move(raster)),
+        dem_file_(std::move(dem_file)) {}
+
+  std::vector<SectionRecord> plan() const override {
+    const auto dem = profiles::Dem::open(dem_file_);
+    std::vector<SectionRecord> sections;
+    RegionFaults of_named, of_laid;  // faults of named lines, and of sections laid along a line
+    bool any_fits = false;
+    for (const auto& laid : lay_out(dem)) {
+      const auto cut = profiles::trace_profile(laid, dem);
+      if (const auto* profile = std::get_if<Profile>(&cut)) {
+        const auto faults = faults_of(*profile);
+        any_fits = any_fits || faults.empty();
+        auto& told = laid.line < 0 ? of_named : of_laid;
+        for (const auto& fault : faults) told.add(fault.pointer, fault.message, laid.name);
+        sections.push_back(record_of(*profile, laid));
+        if (!faults.empty()) leave_out(sections.back(), faults);
+      } else {
+        sections.push_back(record_of(std::get<LeftOut>(cut), laid));
+      }
+      sections.back().ordinal = static_cast<int>(sections.size()) - 1;
+    }
+    refuse(of_named);
+    // What no section escapes is a fault of the request; what some do is a reason to leave those
+    // out and go on: real ground has banks that a soil or a trigger does not fit.
+    if (!any_fits) refuse(of_laid);
+    return sections;
+  }
+
+  std::string raster() const override { return raster_.id; }
+
+  std::string case_file(const SectionRecord& section) const override {
+    const auto built = profiles::build_section(profile_of(section), request_.soil);
+    return to_document(CaseFile{built.section, request_.settings}).dump(2) + "\n";
+  }
+
+  RunSize size(const SectionRecord& section) const override {
+    const auto built = profiles::build_section(profile_of(section), request_.soil);
+    return run_size(built.section, request_.settings);
+  }
+
+  std::optional<Screened> screen(const SectionRecord& section) const override {
+    const auto built = profiles::build_section(profile_of(section), request_.soil);
+    const auto result = solver::screen_quickly(built.section, request_.settings);
+    Screened screened;
+    screened.document = to_document(result).dump();
+    screened.skip = request_.skip_stable && result.decision == solver::Decision::stable;
+    if (!result.reasons.empty()) screened.reason = result.reasons.front();
+    return screened;
+  }
+
+  PlacedResult place(const SectionRecord& section, const SectionResult& result) const override {
+    return profiles::place_result(profile_of(section), section.line, section.order, result,
+                                  result.case_sha256 + " leda " + result.version);
+  }
+
+  std::vector<Zone> zones(const std::vector<SectionRecord>& sections) const override {
+    std::vector<PlacedResult> placed;
+    placed.reserve(sections.size());
+    for (const auto& section : sections) placed.push_back(on_the_map(section));
+    profiles::ZonationOptions options;
+    options.metres_per_unit = profiles::Dem::open(dem_file_).info().metres_per_unit;
+    return profiles::make_zones(placed, options);
+  }
+
+ private:
+  std::vector<profiles::LaidSection> lay_out(const profiles::Dem& dem) const {
+    profiles::LayoutLimits limits;
+    limits.most_sections = Limits{}.sections;
+    auto layout = profiles::lay_out_sections(request_.layout, dem, limits);
+    for (auto& fault : layout.faults) fault.pointer = layout_pointer(document_, fault.pointer);
+    if (!layout.faults.empty()) {
+      throw Problem(Failure::invalid_request, "the sections cannot be laid out on the DEM",
+                    layout.faults);
+    }
+    return std::move(layout.sections);
+  }
+
+  /// Soil that does not fit the profile, or a model that is too large.
+  std::vector<Fault> faults_of(const Profile& profile) const {
+    auto built = profiles::build_section(profile, request_.soil);
+    for (auto& fault : built.faults) fault.pointer = soil_pointer(document_, fault.pointer);
+    if (!built.faults.empty()) return built.faults;
+    auto faults = validate(built.section, request_.settings);
+    for (auto& fault : faults) {
+      fault.pointer = case_pointer(document_, fault.pointer, built.soil_model);
+    }
+    return faults;
+  }
+
+  static void refuse(const RegionFaults& faults) {
+    if (faults.none()) return;
+    throw Problem(Failure::invalid_request, "the sections cannot be simulated", faults.list());
+  }
+
+  static void leave_out(SectionRecord& section, const std::vector<Fault>& faults) {
+    section.state = SectionState::left_out;
+    for (const auto& fault : faults) {
+      if (!section.reason.empty()) section.reason += "; ";
+      section.reason += fault.pointer + " " + fault.message;
+    }
+  }
+
+  static PlacedResult on_the_map(const SectionRecord& section) {
+    if (section.placed) return *section.placed;
+    if (section.state == SectionState::stable) {
+      return profiles::place_stable(profile_of(section), section.line, section.order, "screening");
+    }
+    return profiles::place_unknown(section.name, section.trace, section.line, section.order,
+                                   section.reason);
+  }
+
+  nlohmann::json document_;
+  RegionRequest request_;
+  db::RasterRecord raster_;
+  std::filesystem::path dem_file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Work> open_region(const std::string& request, const Library& library) {
+  auto parsed = parse_region_request(request, DemNaming::registered_only);
+  if (!parsed) {
+    throw Problem(Failure::invalid_request, "the request cannot be understood", parsed.faults);
+  }
+  const std::string& wanted = library.raster.empty() ? parsed.value->dem : library.raster;
+  const auto raster = library.store.raster(wanted);
+  if (!raster) {
+    throw Problem(
+        Failure::invalid_request, "the DEM is not registered",
+        {{"/inputs/dem", "there is no raster '" + wanted +
+                             "': register it with POST /rasters?name=, see GET /rasters"}});
+  }
+  return std::make_unique<Region>(request, std::move(*parsed.value), *raster,
+                                  library.data.root() / raster->file);
+}
+
+}  // namespace leda::server

@@ -1,0 +1,100 @@
+#include "server/jobs/resolution_study.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "server/documents/study_document.hpp"
+#include "server/drawings/study_drawing.hpp"
+#include "server/http/problem.hpp"
+#include "solver/section/crest_and_toe.hpp"
+
+namespace leda::server {
+namespace {
+
+StudyFile parsed_or_problem(const std::string& request) {
+  auto parsed = parse_study_request(request);
+  if (!parsed) {
+    throw Problem(Failure::invalid_request, "the request cannot be understood", parsed.faults);
+  }
+  return std::move(*parsed.value);
+}
+
+class ResolutionStudy final : public Work {
+ public:
+  explicit ResolutionStudy(StudyFile asked)
+      : asked_(std::move(asked)), resolutions_(solver::study_runs(asked_.question.settings)) {}
+
+  std::vector<db::SectionRecord> plan() const override {
+    const Section& section = asked_.of.section;
+    db::SectionRecord record;
+    record.ground = section.ground;
+    if (const auto found = find_crest_and_toe(section.ground)) {
+      record.crest = found->crest;
+      record.toe = found->toe;
+    }
+    record.crest = section.crest.value_or(record.crest);
+    record.toe = section.toe.value_or(record.toe);
+    std::vector<db::SectionRecord> records;
+    for (const Resolution& resolution : resolutions_) {
+      record.name = run_name(resolution);
+      record.ordinal = static_cast<int>(records.size());
+      records.push_back(record);
+    }
+    return records;
+  }
+
+  std::string raster() const override { return ""; }
+
+  std::string case_file(const db::SectionRecord& section) const override {
+    const auto index = static_cast<std::size_t>(section.ordinal);
+    return to_document(case_of(asked_, resolutions_.at(index))).dump(2) + "\n";
+  }
+
+  RunSize size(const db::SectionRecord& section) const override {
+    const auto index = static_cast<std::size_t>(section.ordinal);
+    const CaseFile run = case_of(asked_, resolutions_.at(index));
+    return run_size(run.section, run.settings);
+  }
+
+  /// A section without a trace has no place on the map.
+  PlacedResult place(const db::SectionRecord& section, const SectionResult& result) const override {
+    PlacedResult placed;
+    placed.section = section.name;
+    placed.retrogression_m = result.crest_to_crest_retrogression_m;
+    placed.runout_m = result.runout_m;
+    placed.warnings = result.warnings;
+    placed.made_by = result.case_sha256 + " leda " + result.version;
+    return placed;
+  }
+
+  std::vector<Zone> zones(const std::vector<db::SectionRecord>& /*sections*/) const override {
+    return {};
+  }
+
+ private:
+  StudyFile asked_;
+  std::vector<Resolution> resolutions_;  ///< by ordinal of the section
+};
+
+}  // namespace
+
+std::unique_ptr<Work> open_study(const std::string& request, const Library& /*library*/) {
+  return std::make_unique<ResolutionStudy>(parsed_or_problem(request));
+}
+
+std::string study_results(const db::JobRecord& job, const std::vector<db::SectionRecord>& sections,
+                          std::string_view format) {
+  StudyFile asked = parsed_or_problem(job.request);
+  const auto resolutions = solver::study_runs(asked.question.settings);
+  std::vector<solver::StudyRun> runs;
+  runs.reserve(sections.size());
+  for (const auto& section : sections) {
+    runs.push_back({resolutions.at(static_cast<std::size_t>(section.ordinal)), section.result,
+                    section.reason});
+  }
+  const Study study = conclude(std::move(asked), std::move(runs), job.finished);
+  if (format == "csv") return study_csv(study);
+  if (format == "svg") return study_svg(study);
+  return to_document(study).dump();
+}
+
+}  // namespace leda::server

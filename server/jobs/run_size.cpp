@@ -1,0 +1,80 @@
+#include "server/jobs/run_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/kernel/time_step.hpp"
+#include "solver/materials/law_table.hpp"
+
+namespace leda::server {
+namespace {
+
+constexpr double gravity = 9.81;
+// Measured on one core of a server processor (solver/kernel/README.md): packs take 8 to 13 ns, the
+// reference 40 to 50.
+constexpr double ns_of_packs = 12, ns_of_reference = 45;
+constexpr db::TypicalRun without_history{0, 40, 0, 0};
+// Bytes of a particle in a frame of fields.h5, deflated, and in the checkpoint.
+constexpr double frame_bytes = 40, checkpoint_bytes = 130;
+constexpr double folder_bytes = 100e3;  // documents, log, profile
+
+double area_above_base(const Section& section) {
+  double area = 0;
+  for (std::size_t i = 1; i < section.ground.size(); ++i) {
+    const Point& a = section.ground[i - 1];
+    const Point& b = section.ground[i];
+    area += (b.x - a.x) * (0.5 * (a.z + b.z) - section.base_m);
+  }
+  return std::max(area, 0.0);
+}
+
+/// Of compression waves: c_p^2 = M / rho with M = 2 G (1 - nu) / (1 - 2 nu).
+double wave_speed(const Material& m) {
+  const double modulus = 2 * m.shear_modulus_Pa * (1 - m.poisson_ratio) / (1 - 2 * m.poisson_ratio);
+  return std::sqrt(modulus * gravity / m.unit_weight);
+}
+
+// As packs_can_run decides it for a run.
+bool runs_on_packs(const Material& m) {
+  return !solver::is_viscous(m) && m.poisson_ratio <= solver::locking_poisson_ratio;
+}
+
+}  // namespace
+
+RunSize run_size(const Section& section, const RunSettings& settings) {
+  const double h = settings.resolution.cell_m;
+  double fastest = 0;
+  bool packs = true;
+  for (const auto& layer : section.layers) {
+    const auto material = section.materials.find(layer.material);
+    if (material != section.materials.end()) {
+      fastest = std::max(fastest, wave_speed(material->second));
+      packs = packs && runs_on_packs(material->second);
+    }
+  }
+  RunSize size;
+  size.particles = area_above_base(section) / (h * h) * settings.resolution.particles_per_cell;
+  const double most = solver::most_factor(packs && solver::takes_long_steps(settings));
+  size.steps_per_simulated_s = fastest / (std::min(settings.time_step_factor, most) * h);
+  size.ns_per_particle_step = packs ? ns_of_packs : ns_of_reference;
+  size.longest_s = settings.stop.max_time_s;
+  const double interval = settings.output.frame_interval_s;
+  if (interval > 0) size.frames += settings.stop.max_time_s / interval;
+  return size;
+}
+
+db::TypicalRun typical_or_default(const std::optional<db::TypicalRun>& measured) {
+  return measured.value_or(without_history);
+}
+
+RunCost cost_of(const RunSize& size, const db::TypicalRun& typical) {
+  const double ns = typical.runs > 0 ? typical.ns_per_particle_step : size.ns_per_particle_step;
+  const double core_s_per_simulated_s = size.particles * size.steps_per_simulated_s * ns * 1e-9;
+  RunCost cost;
+  cost.likely_core_s = core_s_per_simulated_s * std::min(typical.simulated_s, size.longest_s);
+  cost.longest_core_s = core_s_per_simulated_s * std::max(typical.simulated_s, size.longest_s);
+  cost.disk_bytes = folder_bytes + size.particles * (size.frames * frame_bytes + checkpoint_bytes);
+  return cost;
+}
+
+}  // namespace leda::server

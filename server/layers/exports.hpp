@@ -1,0 +1,18 @@
+#pragma once
+// The files that results are exported to, each made once.
+
+#include <filesystem>
+
+#include "db/store.hpp"
+#include "profiles/export_layers.hpp"
+#include "server/operate/data_folder.hpp"
+
+namespace leda::server {
+
+/// Sections and zones of a finished job as a file under exports/. Made where it is missing; a
+/// retried job gets a new one. Safe to call from several threads.
+/// @throws Problem wrong_state where the job has no map
+std::filesystem::path export_of(const DataFolder& data, const db::Store& store,
+                                const db::JobRecord& job, profiles::ExportFormat format);
+
+}  // namespace leda::server

@@ -1,0 +1,249 @@
+#include "server/layers/features.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "profiles/export_layers.hpp"
+#include "server/layers/region_layers.hpp"
+#include "server/operate/logging.hpp"
+
+namespace leda::server {
+namespace {
+
+using nlohmann::json;
+using profiles::ToCrs84;
+
+/// A millimetre on the ground; more digits only make the answers longer.
+constexpr double degrees_kept = 1e8;
+
+double rounded(double degrees) { return std::round(degrees * degrees_kept) / degrees_kept; }
+
+json points(const MapLine& line) {
+  json list = json::array();
+  for (const MapPoint& p : line) list.push_back({rounded(p.x), rounded(p.y)});
+  return list;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const auto& part : parts) text += (text.empty() ? "" : "; ") + part;
+  return text;
+}
+
+template <class T>
+json or_null(const std::optional<T>& value) {
+  return value ? json(*value) : json();
+}
+
+/// What the features of one job share.
+struct Ground {
+  std::string job, region, dem, dem_sha256;
+  ToCrs84 to_crs84;
+};
+
+Ground ground_of(const db::Store& store, const db::JobRecord& job) {
+  const auto raster = store.raster(job.raster);
+  return {job.id, job.name, raster ? raster->name : "", raster ? raster->sha256 : "",
+          ToCrs84(raster ? raster->epsg : 0)};
+}
+
+/// Looks up each job of a page once.
+class Grounds {
+ public:
+  explicit Grounds(const db::Store& store) : store_(store) {}
+
+  const Ground& of(const std::string& job) {
+    const auto found = known_.find(job);
+    if (found != known_.end()) return found->second;
+    return known_.emplace(job, ground_of(store_, store_.job(job).value())).first->second;
+  }
+
+ private:
+  const db::Store& store_;
+  std::map<std::string, Ground> known_;
+};
+
+json origin_of(const Ground& ground) {
+  return {{"job", ground.job},
+          {"region", ground.region},
+          {"dem", ground.dem},
+          {"dem_sha256", ground.dem_sha256}};
+}
+
+json section_as_feature(const db::SectionRecord& record, const Ground& ground) {
+  const auto section = section_feature(record);
+  json properties = origin_of(ground);
+  properties.update({{"name", section.name},
+                     {"line", section.line},
+                     {"order_m", section.order},
+                     {"status", section.status},
+                     {"reason", section.reason},
+                     {"decision", section.decision},
+                     {"factor_of_safety", or_null(section.factor_of_safety)},
+                     {"retrogression_m", or_null(section.retrogression_m)},
+                     {"runout_m", or_null(section.runout_m)},
+                     {"runout_from_crest_m", or_null(section.runout_from_crest_m)},
+                     {"slides", or_null(section.slides)},
+                     {"run_time_s", or_null(section.run_time_s)},
+                     {"warnings", joined(section.warnings)},
+                     {"made_by", section.made_by},
+                     {"case_sha256", record.result ? record.result->case_sha256 : ""},
+                     {"version", record.result ? record.result->version : ""}});
+  return {{"type", "Feature"},
+          {"id", record.id},
+          {"geometry",
+           {{"type", "LineString"}, {"coordinates", points(ground.to_crs84(section.trace))}}},
+          {"properties", properties}};
+}
+
+json zone_as_feature(const db::ZoneRecord& record, const Ground& ground) {
+  const Zone& zone = record.zone;
+  json polygons = json::array();
+  for (const MapPolygon& native : zone.area) {
+    const MapPolygon polygon = ground.to_crs84(native);
+    json rings = json::array({points(polygon.outer)});
+    for (const MapLine& hole : polygon.holes) rings.push_back(points(hole));
+    polygons.push_back(rings);
+  }
+  json properties = origin_of(ground);
+  properties.update({{"sections", joined(zone.sections)},
+                     {"largest_distance_m", zone.largest_distance_m},
+                     {"mean_distance_m", zone.mean_distance_m},
+                     {"warnings", joined(zone.warnings)},
+                     {"made_by", zone.made_by},
+                     {"version", record.version}});
+  return {{"type", "Feature"},
+          {"id", record.id},
+          {"geometry", {{"type", "MultiPolygon"}, {"coordinates", polygons}}},
+          {"properties", properties}};
+}
+
+ZoneKind kind_of(Collection collection) {
+  return collection == Collection::release_zones ? ZoneKind::release : ZoneKind::runout;
+}
+
+constexpr double far = std::numeric_limits<double>::infinity();
+
+void grow(MapBox& box, const MapLine& line) {
+  for (const MapPoint& p : line) {
+    box = {std::min(box[0], p.x), std::min(box[1], p.y), std::max(box[2], p.x),
+           std::max(box[3], p.y)};
+  }
+}
+
+void add_box(std::vector<db::FeatureBox>& boxes, std::int64_t id, const MapBox& box) {
+  if (box[0] <= box[2]) boxes.push_back({id, box});
+}
+
+void keep_boxes(db::Store& store, const db::JobRecord& job, const ToCrs84& to_crs84) {
+  std::vector<db::FeatureBox> sections, zones;
+  for (const auto& section : store.sections(job.id)) {
+    MapBox box{far, far, -far, -far};
+    grow(box, to_crs84(section.trace));
+    add_box(sections, section.id, box);
+  }
+  for (const auto& zone : store.zones(job.id)) {
+    MapBox box{far, far, -far, -far};
+    for (const MapPolygon& polygon : zone.zone.area) grow(box, to_crs84(polygon.outer));
+    add_box(zones, zone.id, box);
+  }
+  store.set_section_boxes(sections);
+  store.set_zone_boxes(zones);
+}
+
+}  // namespace
+
+const char* to_string(Collection collection) {
+  switch (collection) {
+    case Collection::sections:
+      return "sections";
+    case Collection::release_zones:
+      return "release_zones";
+    case Collection::runout_zones:
+      return "runout_zones";
+  }
+  return "";
+}
+
+std::optional<Collection> collection_from(const std::string& id) {
+  for (const Collection collection : all_collections) {
+    if (id == to_string(collection)) return collection;
+  }
+  return std::nullopt;
+}
+
+void for_each_feature(const db::Store& store, Collection collection, const db::PageFilter& filter,
+                      const std::function<void(json&&)>& use) {
+  Grounds grounds(store);
+  if (collection == Collection::sections) {
+    for (const auto& section : store.section_page(filter)) {
+      use(section_as_feature(section, grounds.of(section.job)));
+    }
+    return;
+  }
+  for (const auto& zone : store.zone_page(kind_of(collection), filter)) {
+    use(zone_as_feature(zone, grounds.of(zone.job)));
+  }
+}
+
+int count_features(const db::Store& store, Collection collection, const db::PageFilter& filter) {
+  return collection == Collection::sections ? store.count_sections(filter)
+                                            : store.count_zones(kind_of(collection), filter);
+}
+
+db::Coverage coverage_of(const db::Store& store, Collection collection) {
+  return collection == Collection::sections ? store.section_coverage()
+                                            : store.zone_coverage(kind_of(collection));
+}
+
+json schema_of(Collection collection) {
+  const auto property = [](const char* type, const char* title) {
+    return json{{"type", type}, {"title", title}};
+  };
+  json properties = {{"job", property("string", "id of the job")},
+                     {"region", property("string", "name of the job")},
+                     {"dem", property("string", "name of the DEM")},
+                     {"dem_sha256", property("string", "SHA-256 of the DEM's file")},
+                     {"warnings", property("string", "what to know before it is used")},
+                     {"made_by", property("string", "hashes of what made it")},
+                     {"version", property("string", "of Leda")}};
+  if (collection == Collection::sections) {
+    properties.update({{"name", property("string", "name within the job")},
+                       {"line", property("integer", "line it was laid along; -1: named")},
+                       {"order_m", property("number", "position along that line, m")},
+                       {"status", property("string", "of the run, or why there is none")},
+                       {"reason", property("string", "of the status")},
+                       {"decision", property("string", "of screening")},
+                       {"factor_of_safety", property("number", "undrained, Bishop")},
+                       {"retrogression_m", property("number", "crest to crest, m")},
+                       {"runout_m", property("number", "from the toe, m")},
+                       {"runout_from_crest_m", property("number", "from the crest, m")},
+                       {"slides", property("integer", "counted by the documented rule")},
+                       {"run_time_s", property("number", "of the simulation, s")},
+                       {"case_sha256", property("string", "SHA-256 of the case")}});
+  } else {
+    properties.update({{"sections", property("string", "whose results made it")},
+                       {"largest_distance_m", property("number", "retrogression or runout, m")},
+                       {"mean_distance_m", property("number", "retrogression or runout, m")}});
+  }
+  return {{"$schema", "http://json-schema.org/draft-07/schema#"},
+          {"title", to_string(collection)},
+          {"type", "object"},
+          {"properties", properties}};
+}
+
+void keep_boxes(db::Store& store, const db::JobRecord& job) {
+  const int epsg = epsg_of(store, job);
+  if (epsg == 0) return;
+  try {
+    keep_boxes(store, job, ToCrs84(epsg));
+  } catch (const profiles::ExportError& error) {
+    // A job is worth more than its place in a search by box.
+    log_warning(job.id, "no boxes reason={}", in_quotes(error.what()));
+  }
+}
+
+}  // namespace leda::server

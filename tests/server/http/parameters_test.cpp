@@ -1,0 +1,55 @@
+#include "server/http/handlers/parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include "server/http/problem.hpp"
+
+namespace leda::server {
+namespace {
+
+Call call_with(const std::string& name, const std::string& value) {
+  Call call;
+  call.query = {{name, value}};
+  call.header = [](const std::string&) { return std::string(); };
+  return call;
+}
+
+TEST(Parameters, AWholeNumberIsReadWholeOrNotAtAll) {
+  EXPECT_EQ(whole_number(call_with("limit", "7"), "limit", 10, 1, 100), 7);
+  EXPECT_EQ(whole_number(call_with("limit", "700"), "limit", 10, 1, 100), 100);
+  EXPECT_EQ(whole_number(call_with("other", "7"), "limit", 10, 1, 100), 10);
+  for (const char* text : {"", "x", "1x", "-1", "0", "1.5", " 1", "99999999999999"}) {
+    EXPECT_THROW(whole_number(call_with("limit", text), "limit", 10, 1, 100), Problem) << text;
+  }
+}
+
+TEST(Parameters, AListIsParted) {
+  EXPECT_EQ(list(call_with("sections", "AA',BB'"), "sections"),
+            (std::vector<std::string>{"AA'", "BB'"}));
+  EXPECT_TRUE(list(call_with("other", "x"), "sections").empty());
+}
+
+TEST(Parameters, AFormatMustBeKnown) {
+  EXPECT_EQ(format(call_with("f", "svg"), {"json", "svg"}), "svg");
+  EXPECT_EQ(format(call_with("g", "svg"), {"json", "svg"}), "json");
+  EXPECT_THROW(format(call_with("f", "pdf"), {"json", "svg"}), Problem);
+}
+
+TEST(Parameters, ABrowserGetsHtmlAndOthersJson) {
+  Call call;
+  call.header = [](const std::string&) { return "text/html,application/xhtml+xml,*/*;q=0.8"; };
+  EXPECT_TRUE(wants_html(call));
+  call.header = [](const std::string&) { return "*/*"; };
+  EXPECT_FALSE(wants_html(call));
+  call.header = [](const std::string&) { return "application/json, text/html"; };
+  EXPECT_FALSE(wants_html(call));
+}
+
+TEST(Parameters, TheNextLinkKeepsTheOthers) {
+  Call call;
+  call.query = {{"offset", "0"}, {"status", "failed,running"}};
+  EXPECT_EQ(with_offset(call, "/jobs", 10), "/jobs?offset=10&status=failed%2Crunning");
+}
+
+}  // namespace
+}  // namespace leda::server

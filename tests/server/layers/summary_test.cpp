@@ -1,0 +1,45 @@
+#include "server/layers/summary.hpp"
+
+#include <gtest/gtest.h>
+
+namespace leda::server {
+namespace {
+
+using db::SectionState;
+
+std::vector<db::SectionRecord> sections_in(const std::vector<SectionState>& states) {
+  std::vector<db::SectionRecord> sections(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) sections[i].state = states[i];
+  return sections;
+}
+
+TEST(Summary, ProgressCountsWhatIsDoneAndWhatRuns) {
+  const auto sections = sections_in({SectionState::finished, SectionState::left_out,
+                                     SectionState::running, SectionState::waiting});
+  EXPECT_EQ(progress_percent(sections, 0), 50);
+  EXPECT_EQ(progress_percent(sections, 0.5), 62);
+  EXPECT_EQ(progress_message(sections), "2 of 4 sections done, 1 running");
+}
+
+TEST(Summary, OnlyAFinishedJobIsAtAHundred) {
+  EXPECT_EQ(progress_percent(sections_in({SectionState::finished}), 0), 99);
+  EXPECT_EQ(progress_percent({}, 0), 0);
+}
+
+TEST(Summary, TheFinalMessageNamesEachKind) {
+  EXPECT_EQ(final_message(sections_in({SectionState::finished, SectionState::finished})),
+            "2 sections: 2 with a result");
+  EXPECT_EQ(final_message(sections_in({SectionState::finished, SectionState::stable,
+                                       SectionState::left_out, SectionState::failed})),
+            "4 sections: 1 with a result, 1 stable without a run, 1 left out, 1 failed");
+}
+
+TEST(Summary, TheStatusIsTheRunsWhereThereIsOne) {
+  auto sections = sections_in({SectionState::left_out, SectionState::finished});
+  sections[1].result.emplace().status = RunStatus::at_rest;
+  EXPECT_EQ(status_of(sections[0]), db::to_string(SectionState::left_out));
+  EXPECT_EQ(status_of(sections[1]), "at-rest");
+}
+
+}  // namespace
+}  // namespace leda::server
