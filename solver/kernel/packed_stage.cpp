@@ -135,7 +135,7 @@ StepSums step(PackedStage& stage, const StepSettings& settings, bool keep, Team&
     left_grid = left_grid || points[g].left_grid;
   }
   stage.wakes = observe(stage.rest, points, settings.dt, width(stage));
-  if (decides && !left_grid && decide(stage.rest, width(stage))) {
+  if (decides && settings.ground_rests && !left_grid && decide(stage.rest, width(stage))) {
     still(stage);
     spread_anew(stage);
     stage.wakes = false;

@@ -11,6 +11,7 @@ struct StepSettings {
   double gravity = 0;
   double damping = 0;
   bool move = true;  ///< false: positions stay (initial stress)
+  bool ground_rests = true;
 };
 
 struct StepSums {

@@ -72,10 +72,10 @@ std::optional<StageEnd> check(const RunState& run, const StepSums& sums, double 
 
 std::optional<StageEnd> advance(RunState& run, const LawTable& laws, double damping, bool move) {
   if (auto end = keep_sorted(run)) return end;
-  const double most = move ? most_factor(run.packed && run.packed->laws.softer) : most_factor_held;
-  const double factor = std::min(run.settings->time_step_factor, most);
+  const double asked = run.settings->time_step_factor;
+  const double factor = move ? run.engine.time_step_factor : std::min(asked, most_factor_held);
   const double dt = time_step(run.seeded.grid.h, laws.stiffest_speed, run.fastest, factor);
-  const StepSettings settings{dt, gravity, damping, move};
+  const StepSettings settings{dt, gravity, damping, move, run.settings->ground_rests};
   bool left_grid = false;
   const StepSums sums =
       run.packed ? step(*run.packed, settings, is_looked_at(run, dt), *run.team, left_grid)

@@ -48,6 +48,7 @@ struct RunState {
   double travel = 0;  ///< the most a particle may have moved since the last sort, m
   int since_sort = 0;
   StageClock clock;
+  Engine engine;               ///< of the moving stage, no part of the state
   LastGood last_good;          ///< what the run ends with should it become unstable
   bool resumed = false;        ///< the state comes from a checkpoint
   std::int64_t frames = 0;     ///< handed to the listener so far

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "solver/kernel/instructions.hpp"
 #include "solver/kernel/time_step.hpp"
 #include "solver/run/checkpoint.hpp"
 #include "solver/run/packed_surface.hpp"
@@ -101,7 +102,8 @@ void begin(RunState& run, StageClock::Stage stage) {
   run.clock.stage = stage;
   run.clock.next_look = run.time + run.slides.look_interval_s();
   run.clock.next_frame = run.time + run.settings->output.frame_interval_s;
-  if (!run.settings->full && packs_can_run(run.seeded.grid, run.seeded.laws)) {
+  if (run.settings->precision == Precision::single_precision &&
+      packs_can_run(run.seeded.grid, run.seeded.laws)) {
     run.packed = begin_packed_stage(run.seeded.particles, run.seeded.grid, run.seeded.laws,
                                     takes_long_steps(*run.settings));
     run.travel = 0;
@@ -157,9 +159,18 @@ StageEnd run_steps(RunState& run) {
 
 }  // namespace
 
+Engine engine_of(const RunState& run) {
+  const bool softer = run.packed && run.packed->laws.softer;
+  return {.precision = run.packed ? Precision::single_precision : Precision::double_precision,
+          .instructions = instructions(),
+          .time_step_factor = std::min(run.settings->time_step_factor, most_factor(softer)),
+          .averaged_dilation = run.seeded.grid.averages()};
+}
+
 StageEnd run_stage(RunState& run, StageClock::Stage stage) {
   if (!run.team) run.team = std::make_shared<Team>(1);
   if (run.clock.stage != stage) begin(run, stage);
+  run.engine = engine_of(run);
   StageEnd end = run_steps(run);
   if (run.packed && run.packed->kept) run.packs_balance = transfer_balance(*run.packed);
   run.packed.reset();

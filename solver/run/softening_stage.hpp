@@ -10,6 +10,9 @@ namespace leda::solver {
 /// longer growing.
 StageEnd run_stage(RunState& run, StageClock::Stage stage);
 
+/// What computes the stage under way; between stages, the quiet ones.
+Engine engine_of(const RunState& run);
+
 /// Hands a frame of the present state to the listener, if it wants one.
 void show_frame(RunState& run);
 

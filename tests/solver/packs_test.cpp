@@ -198,7 +198,7 @@ TEST(Packs, RetrogressionIsThatOfTheReference) {
   RunSettings settings = coarse();
   settings.trigger = UndrainedTrigger{4.0};
   const SectionResult packed = simulate(section, settings);
-  settings.full = true;
+  settings.precision = Precision::double_precision;
   const SectionResult reference = simulate(section, settings);
   EXPECT_NEAR(packed.crest_to_crest_retrogression_m, reference.crest_to_crest_retrogression_m,
               settings.resolution.cell_m);
