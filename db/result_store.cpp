@@ -16,7 +16,8 @@ const std::string& result_columns() {
       "results.run_time_s, results.steps, results.particles, results.ns_per_particle_step, "
       "results.mass_error, results.momentum_error, results.energy_error, "
       "results.numerical_dissipation, results.profile_after, results.warnings, "
-      "results.case_sha256, results.version, "
+      "results.case_sha256, results.version, results.precision, results.instructions, "
+      "results.time_step_factor, results.averaged_dilation, "
       "placements.known, placements.moved, "
       "placements.backscarp_easting, placements.backscarp_northing, "
       "placements.crest_easting, placements.crest_northing, "
@@ -27,6 +28,15 @@ const std::string& result_columns() {
 }
 
 namespace {
+
+std::optional<Engine> engine_from(Query& row) {
+  const auto precision = precision_from(row.text());
+  Engine engine{.precision = precision.value_or(Precision::double_precision),
+                .instructions = row.text(),
+                .time_step_factor = row.real(),
+                .averaged_dilation = row.integer() != 0};
+  return precision ? std::optional(std::move(engine)) : std::nullopt;
+}
 
 SectionResult result_from(Query& row) {
   return SectionResult{.status = run_status_from(row.text()).value(),
@@ -50,7 +60,8 @@ SectionResult result_from(Query& row) {
                        .profile_after = polyline_from_json(row.text()),
                        .warnings = words_from_json(row.text()),
                        .case_sha256 = row.text(),
-                       .version = row.text()};
+                       .version = row.text(),
+                       .engine = engine_from(row)};
 }
 
 PlacedResult placed_from(Query& row, const SectionRecord& section) {
@@ -67,6 +78,14 @@ PlacedResult placed_from(Query& row, const SectionRecord& section) {
                       .runout_m = row.real(),
                       .warnings = words_from_json(row.text()),
                       .made_by = row.text()};
+}
+
+void insert_engine(Database& database, const std::string& run, const Engine& e) {
+  Query(database,
+        "UPDATE results SET precision = ?2, instructions = ?3, time_step_factor = ?4, "
+        "averaged_dilation = ?5 WHERE run_id = ?1")
+      .with(run, to_string(e.precision), e.instructions, e.time_step_factor, e.averaged_dilation)
+      .run();
 }
 
 void insert_result(Database& database, std::int64_t section, const std::string& run,
@@ -87,6 +106,7 @@ void insert_result(Database& database, std::int64_t section, const std::string& 
             to_json(r.profile_after), to_json(r.warnings), r.case_sha256, r.version, utc_now(),
             document)
       .run();
+  if (r.engine) insert_engine(database, run, *r.engine);
 }
 
 void insert_placement(Database& database, const std::string& run, const PlacedResult& p) {

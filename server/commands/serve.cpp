@@ -22,6 +22,7 @@ struct Options {
   std::string listen = "127.0.0.1:8080";
   std::string public_url;
   std::filesystem::path tokens;
+  std::vector<std::string> cors_origins;
   WorkerOptions workers;
   Limits limits;
 };
@@ -40,6 +41,14 @@ void refuse_unreachable(const Options& options, const ListenAddress& address) {
   if (!sound) {
     throw ListenError("--public-url " + url + ": give http(s)://HOST, without a slash at the end");
   }
+}
+
+AllowedOrigins origins_of(const Options& options, bool with_tokens) {
+  AllowedOrigins origins(options.cors_origins);
+  std::string text;
+  for (const auto& fault : origins.faults(with_tokens)) text += (text.empty() ? "" : "\n") + fault;
+  if (!text.empty()) throw ListenError(text);
+  return origins;
 }
 
 ServiceOptions options_of(const Options& options) {
@@ -86,10 +95,11 @@ int serve(const Options& options) {
   const ServiceOptions wanted = options_of(options);
   const auto address = listen_address_from(options.listen, wanted.tokens.required());
   refuse_unreachable(options, address);
+  const AllowedOrigins origins = origins_of(options, wanted.tokens.required());
   const EndSignals end;
   Service service(options.data, wanted);
   {
-    const HttpServer http(service, address);
+    const HttpServer http(service, address, origins);
     const nlohmann::json where = {{"url", service.url}, {"pid", getpid()}};
     write_whole(service.data.server_file(), where.dump(2) + "\n");
     fmt::print("leda serves {}\n", service.url);
@@ -117,6 +127,12 @@ void add_serve(CLI::App& app, int& exit_code) {
                       "how clients reach the server, where that is not --listen (a proxy)");
   command->add_option("--tokens", options->tokens, "file of hashed tokens; see leda token")
       ->envname("LEDA_TOKENS");
+  command
+      ->add_option(
+          "--cors-origin", options->cors_origins,
+          "whose pages may ask from a browser, as https://maps.example.org; * with tokens: "
+          "any; repeated")
+      ->allow_extra_args(false);
   Limits& limits = options->limits;
   command->add_option("--most-connections", limits.connections, "at once; more get 503")
       ->check(CLI::Range(1, 100'000))

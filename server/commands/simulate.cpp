@@ -25,6 +25,8 @@ struct Options {
   bool json = false;
   bool keep_checkpoint = false;
   double checkpoint_interval_s = RunOptions{}.checkpoint_interval_s;
+  std::string precision = "single";
+  bool no_rest = false;
   bool full = false;
   int threads = 1;
 };
@@ -80,7 +82,9 @@ int simulate(const Options& options) {
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
   RunOptions run_options;
-  run_options.full = options.full;
+  run_options.precision =
+      options.full ? Precision::double_precision : precision_from(options.precision).value();
+  run_options.ground_rests = !options.full && !options.no_rest;
   run_options.threads = options.threads;
   run_options.interrupted = InterruptSignals::arrived;
   run_options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
@@ -123,8 +127,12 @@ void add_simulate(CLI::App& app, int& exit_code) {
                    "cores for this one section; the result is the same for any number")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  command->add_option("--precision", options->precision, "of the moving stage: single or double")
+      ->check(CLI::IsMember({"single", "double"}))
+      ->capture_default_str();
+  command->add_flag("--no-rest", options->no_rest, "also step ground that has come to rest");
   command->add_flag("--full", options->full,
-                    "the reference way: double precision and every saving off, to compare with");
+                    "to compare with: --precision double and --no-rest together");
   command->footer(
       "Exit codes: 0 a result stands, 2 the case is invalid, 3 the run was unstable, "
       "4 interrupted (the same command goes on), 5 the disk is full (the same), "

@@ -74,6 +74,24 @@ void read_balances(ObjectReader& reader, SectionResult& result, FaultList& fault
   part.refuse_unknown();
 }
 
+// Absent in results of Leda 0.1.
+void read_engine(ObjectReader& reader, SectionResult& result, FaultList& faults) {
+  const json* value = reader.find("engine");
+  if (!value) return;
+  ObjectReader part(*value, reader.at("engine"), faults);
+  const std::string precision = part.text("precision");
+  const auto known = precision_from(precision);
+  if (!known && !precision.empty()) {
+    faults.add(part.at("precision"), "is \"" + precision + "\", must be single or double");
+  }
+  result.engine = Engine{.precision = known.value_or(Precision::double_precision),
+                         .instructions = part.text("instructions"),
+                         .time_step_factor = part.number("time_step_factor"),
+                         .averaged_dilation = part.require("averaged_dilation") &&
+                                              part.boolean_or("averaged_dilation", false)};
+  part.refuse_unknown();
+}
+
 void read_warnings(ObjectReader& reader, SectionResult& result, FaultList& faults) {
   const json* value = reader.require("warnings");
   if (!value) return;
@@ -136,6 +154,7 @@ SectionResult read_members(ObjectReader& reader, FaultList& faults) {
   result.particles = read_count(reader, "particles");
   read_balances(reader, result, faults);
   read_profile(reader, result, faults);
+  read_engine(reader, result, faults);
   read_warnings(reader, result, faults);
   result.case_sha256 = reader.text("case_sha256");
   if (!result.case_sha256.empty() && !is_sha256(result.case_sha256)) {
@@ -159,6 +178,13 @@ void check_ranges(const SectionResult& result, FaultList& faults) {
 
 }  // namespace
 
+json to_document(const Engine& engine) {
+  return {{"precision", to_string(engine.precision)},
+          {"instructions", engine.instructions},
+          {"time_step_factor", engine.time_step_factor},
+          {"averaged_dilation", engine.averaged_dilation}};
+}
+
 json to_document(const SectionResult& as_run) {
   const SectionResult result = writable(as_run);
   json out{{"status", to_string(result.status)},
@@ -171,6 +197,7 @@ json to_document(const SectionResult& as_run) {
            {"case_sha256", result.case_sha256},
            {"version", result.version},
            {"profile_after_m", json::array()}};
+  if (result.engine) out["engine"] = to_document(*result.engine);
   for (const auto& [name, member] : numbers) out[name] = result.*member;
   for (const auto& [name, member] : points) {
     out[name] = {(result.*member).x, (result.*member).z};

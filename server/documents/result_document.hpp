@@ -14,6 +14,9 @@ namespace leda::server {
 /// value, and 0 stands in its place.
 nlohmann::json to_document(const SectionResult& as_run);
 
+/// `engine` of a result.
+nlohmann::json to_document(const Engine& engine);
+
 /// The document as written to result.json: two spaces of indent, a line feed at the end.
 std::string result_text(const SectionResult& result);
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "server/http/auth.hpp"
+#include "server/http/cors.hpp"
 
 namespace leda::server {
 
@@ -15,10 +16,12 @@ using HeaderOf = std::function<std::string(const std::string&)>;
 bool is_local_name(std::string host);
 
 /// Refuses what no route wants: forms, and requests that a page of another site has a browser
-/// send. @param public_url of the server
+/// send.
+/// @param public_url of the server
+/// @param origins whose pages may
 /// @throws Problem
-void refuse_at_the_gate(const HeaderOf& header, const Tokens& tokens,
-                        const std::string& public_url);
+void refuse_at_the_gate(const HeaderOf& header, const Tokens& tokens, const std::string& public_url,
+                        const AllowedOrigins& origins = {});
 
 /// Who sends a request, where the role is enough for the route. Without tokens that is everybody.
 /// @throws Problem no_token, role_too_low

@@ -3,10 +3,10 @@
 #include <charconv>
 #include <thread>
 
+#include "server/http/answer_call.hpp"
 #include "server/http/gate.hpp"
 #include "server/http/guarded_http.hpp"
 #include "server/http/problem.hpp"
-#include "server/http/routes.hpp"
 #include "server/http/send_answer.hpp"
 #include "server/operate/logging.hpp"
 
@@ -39,74 +39,6 @@ Call call_of(const httplib::Request& request, const httplib::ContentReader* read
   return call;
 }
 
-/// What the log and the metrics tell of a request.
-struct Told {
-  std::string route = "none";
-  std::string job = "-";
-  std::string holder = "-";
-};
-
-/// The job that a request is about: of its path, or the one it started.
-std::string job_in(const Route& route, const Call& call, const Answer& answer) {
-  if (route.path.starts_with("/jobs/{jobID}")) {
-    const bool sound = call.captured[0].find_first_not_of(
-                           "0123456789abcdefghijklmnopqrstuvwxyzTZ-") == std::string::npos;
-    return sound ? call.captured[0] : "-";
-  }
-  for (const auto& [name, value] : answer.headers) {
-    const auto at = value.find("/jobs/");
-    if (name == "Location" && at != std::string::npos) return value.substr(at + 6);
-  }
-  return "-";
-}
-
-Answer answer_to(Service& service, Call& call, const std::string& target, Told& told) {
-  const RouteMatch match = find_route(routes(), call.method, target);
-  if (match.route == nullptr) require_role(Role::read, call.header, service.tokens);
-  if (match.route == nullptr && match.other_methods.empty()) {
-    throw Problem(Failure::no_such_resource, "there is nothing at " + call.path);
-  }
-  if (match.route == nullptr) {
-    Answer answer =
-        to_answer(Problem(Failure::wrong_method, call.method + " is not possible on " + call.path),
-                  call.path);
-    std::string allowed;
-    for (const auto& method : match.other_methods) {
-      allowed += (allowed.empty() ? "" : ", ") + method;
-    }
-    answer.headers.emplace_back("Allow", allowed);
-    return answer;
-  }
-  told.route = match.route->path;
-  call.captured = match.captured;
-  told.holder = require_role(match.route->role, call.header, service.tokens).name;
-  if (const auto unknown = unknown_parameters(*match.route, call); !unknown.empty()) {
-    std::vector<Fault> faults;
-    faults.reserve(unknown.size());
-    for (const auto& name : unknown) faults.push_back({"", "unknown query parameter: " + name});
-    throw Problem(Failure::invalid_parameter, "known here: " + std::string(match.route->parameters),
-                  faults);
-  }
-  told.job = job_in(*match.route, call, {});
-  Answer answer = match.route->handler(service, call);
-  if (told.job == "-") told.job = job_in(*match.route, call, answer);
-  return answer;
-}
-
-Answer safe_answer(Service& service, Call& call, const std::string& target, Told& told) {
-  try {
-    return answer_to(service, call, target, told);
-  } catch (const Problem& problem) {
-    return to_answer(problem, call.path);
-  } catch (const std::exception& error) {
-    const std::string reference = random_hex(8);
-    log_error(told.job, "request failed reference={} method={} route={} reason={}", reference,
-              call.method, told.route, in_quotes(error.what()));
-    return to_answer(
-        Problem(Failure::internal, "the server's log has the cause under " + reference), call.path);
-  }
-}
-
 /// Changes and failures are told; the rest only where somebody looks for it.
 void tell(Service& service, const httplib::Request& request, const Told& told, int status,
           double seconds) {
@@ -117,8 +49,8 @@ void tell(Service& service, const httplib::Request& request, const Told& told, i
               request.method, told.route, status, 1000 * seconds, told.holder);
 }
 
-void handle(Service& service, const httplib::Request& request, httplib::Response& response,
-            const httplib::ContentReader* reader) {
+void handle(Service& service, const AllowedOrigins& origins, const httplib::Request& request,
+            httplib::Response& response, const httplib::ContentReader* reader) {
   const auto start = std::chrono::steady_clock::now();
   bool body_left = request.get_header_value<uint64_t>("Content-Length") > 0;
   Call call = call_of(request, reader);
@@ -128,26 +60,42 @@ void handle(Service& service, const httplib::Request& request, httplib::Response
     return whole;
   };
   Told told;
-  Answer answer = safe_answer(service, call, path_of(request), told);
-  send(service, answer, response);
+  Answer answer = answer_call(service, call, path_of(request), origins, told);
+  send(service, request, answer, response);
   if (body_left) close_after_this_answer();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  tell(service, request, told, answer.status, took.count());
+  tell(service, request, told, response.status, took.count());
 }
 
 /// Problems that the library finds by itself get the same form as all others.
 void fill_error(const httplib::Request& request, httplib::Response& response) {
   if (!response.body.empty() || response.content_length_ > 0) return;
-  const bool too_large = response.status == 413;
-  const Problem problem(too_large ? Failure::too_large : Failure::invalid_request,
-                        too_large ? "the body is too large" : "the request can't be read");
-  const Answer answer = to_answer(problem, request.path);
+  const auto problem = [&] {
+    if (response.status == 413) return Problem(Failure::too_large, "the body is too large");
+    if (response.status == 416) {
+      return Problem(Failure::no_such_range,
+                     "Range is '" + request.get_header_value("Range") + "': give bytes=FIRST-LAST");
+    }
+    return Problem(Failure::invalid_request, "the request can't be read");
+  };
+  const Answer answer = to_answer(problem(), request.path);
   response.status = answer.status;
   response.set_content(answer.body, answer.type);
 }
 
+/// What the library takes a body out of by itself.
+void refuse_unknown_encoding(const httplib::Request& request) {
+  const std::string encoding = request.get_header_value("Content-Encoding");
+  for (const char* known : {"", "identity", "gzip", "deflate", "br"}) {
+    if (encoding == known && request.get_header_value_count("Content-Encoding") <= 1) return;
+  }
+  throw Problem(Failure::wrong_media_type, "Content-Encoding is '" + encoding +
+                                               "': send the body as it is, or gzip, deflate or br");
+}
+
 /// Refuses before the body is read. The connection ends then: the body would be left in it.
 httplib::Server::HandlerResponse before_routing(const Service& service,
+                                                const AllowedOrigins& origins,
                                                 const httplib::Request& request,
                                                 httplib::Response& response) {
   try {
@@ -161,7 +109,8 @@ httplib::Server::HandlerResponse before_routing(const Service& service,
         length.find_first_not_of("0123456789") != std::string::npos) {
       throw Problem(Failure::invalid_request, "the Content-Length must be one whole number");
     }
-    refuse_at_the_gate(headers_of(request), service.tokens, service.url);
+    refuse_unknown_encoding(request);
+    refuse_at_the_gate(headers_of(request), service.tokens, service.url, origins);
     return httplib::Server::HandlerResponse::Unhandled;
   } catch (const Problem& problem) {
     const Answer answer = to_answer(problem, request.path);
@@ -173,14 +122,14 @@ httplib::Server::HandlerResponse before_routing(const Service& service,
   }
 }
 
-void set_up(httplib::Server& http, Service& service) {
+void set_up(httplib::Server& http, Service& service, const AllowedOrigins& origins) {
   const std::string everything = R"([\s\S]*)";
-  const auto plain = [&service](const httplib::Request& request, httplib::Response& response) {
-    handle(service, request, response, nullptr);
+  const auto plain = [&](const httplib::Request& request, httplib::Response& response) {
+    handle(service, origins, request, response, nullptr);
   };
-  const auto with_body = [&service](const httplib::Request& request, httplib::Response& response,
-                                    const httplib::ContentReader& reader) {
-    handle(service, request, response, &reader);
+  const auto with_body = [&](const httplib::Request& request, httplib::Response& response,
+                             const httplib::ContentReader& reader) {
+    handle(service, origins, request, response, &reader);
   };
   http.Get(everything, plain);
   http.Options(everything, plain);
@@ -191,10 +140,14 @@ void set_up(httplib::Server& http, Service& service) {
   http.Delete(everything, with_body);
   http.set_payload_max_length(service.limits.raster_bytes);  // documents have a limit of their own
   http.set_tcp_nodelay(true);
-  http.set_pre_routing_handler(
-      [&service](const httplib::Request& request, httplib::Response& response) {
-        return before_routing(service, request, response);
-      });
+  http.set_pre_routing_handler([&](const httplib::Request& request, httplib::Response& response) {
+    return before_routing(service, origins, request, response);
+  });
+  http.set_post_routing_handler([&](const httplib::Request& request, httplib::Response& response) {
+    for (const auto& [name, value] : origins.headers(request.get_header_value("Origin"))) {
+      response.set_header(name, value);
+    }
+  });
   http.set_error_handler([](const httplib::Request& request, httplib::Response& response) {
     fill_error(request, response);
   });
@@ -231,19 +184,21 @@ ListenAddress listen_address_from(const std::string& text, bool with_tokens) {
 }
 
 struct HttpServer::Running {
-  explicit Running(Service& of) : service(of), http(of.limits, threads_of(of)) {}
+  Running(Service& of, AllowedOrigins allowed)
+      : service(of), origins(std::move(allowed)), http(of.limits, threads_of(of)) {}
   static std::size_t threads_of(const Service& of) {
     return threads_beside_streams + of.limits.streams;
   }
   Service& service;
+  const AllowedOrigins origins;
   GuardedHttp http;
   std::thread thread;
 };
 
-HttpServer::HttpServer(Service& service, const ListenAddress& address)
-    : running_(std::make_unique<Running>(service)) {
+HttpServer::HttpServer(Service& service, const ListenAddress& address, AllowedOrigins origins)
+    : running_(std::make_unique<Running>(service, std::move(origins))) {
   GuardedHttp& http = running_->http;
-  set_up(http, service);
+  set_up(http, service, running_->origins);
   int port = address.port;
   const bool bound = port == 0 ? (port = http.bind_to_any_port(address.host)) > 0
                                : http.bind_to_port(address.host, port);

@@ -98,4 +98,31 @@ std::vector<std::string> unknown_parameters(const Route& route, const Call& call
   return unknown;
 }
 
+std::vector<std::string> repeated_parameters(const Call& call) {
+  std::vector<std::string> repeated;
+  for (auto at = call.query.begin(); at != call.query.end();) {
+    const auto after = call.query.upper_bound(at->first);
+    if (std::distance(at, after) > 1) repeated.push_back(at->first);
+    at = after;
+  }
+  return repeated;
+}
+
+std::string allowed_methods(const RouteMatch& match) {
+  std::string allowed;
+  for (const auto& method : match.other_methods) {
+    allowed += method + (method == "GET" ? ", HEAD, " : ", ");
+  }
+  return allowed + "OPTIONS";
+}
+
+std::vector<std::string_view> media_types(const Route& route) {
+  std::vector<std::string_view> types;
+  for (const auto name : split(route.answer, ' ')) {
+    types.push_back(name.find('/') == std::string_view::npos ? "application/json"
+                                                             : name.substr(0, name.find(';')));
+  }
+  return types;
+}
+
 }  // namespace leda::server

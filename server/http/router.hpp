@@ -45,4 +45,13 @@ std::string percent_encode(std::string_view text);
 /// Query parameters of the call that the route does not know.
 std::vector<std::string> unknown_parameters(const Route& route, const Call& call);
 
+/// Query parameters that the call gives more than once.
+std::vector<std::string> repeated_parameters(const Call& call);
+
+/// What `Allow` says of a path: the methods it knows, HEAD with GET, and OPTIONS.
+std::string allowed_methods(const RouteMatch& match);
+
+/// Media types that a success of the route may have.
+std::vector<std::string_view> media_types(const Route& route);
+
 }  // namespace leda::server

@@ -13,7 +13,7 @@ constexpr std::array table{
     Route{"GET", "/api", get_api, "This interface as OpenAPI 3.0", "f",
           "application/vnd.oai.openapi+json;version=3.0"},
 
-    Route{"GET", "/processes", get_processes, "What can be run", "f limit", "processList"},
+    Route{"GET", "/processes", get_processes, "What can be run", "f limit offset", "processList"},
     Route{"GET", "/processes/{processID}", get_process, "A process and its schemas", "f",
           "process"},
     Route{"POST", "/processes/{processID}/execution", post_execution, "Start a job", "",

@@ -2,7 +2,8 @@
 
 namespace leda::server {
 
-/// "0.1.0", as CMakeLists.txt says.
+/// "0.2.0+g1a2b3c4d": the project's version and the commit, "-dirty" after it where the checkout
+/// held changes that were not committed. Without the commit where no checkout was built.
 const char* version();
 
 }  // namespace leda::server

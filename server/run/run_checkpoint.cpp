@@ -133,7 +133,7 @@ std::string RunCheckpoint::mismatch(const std::string& bytes, Frames& frames,
   if (!lines || lines.eof()) return "it is cut off";
   if (of_case != sha256_) return "it is of another case";
   if (version != version_) {
-    return fmt::format("leda {} wrote it, this is leda {}", version.substr(0, 40), version_);
+    return fmt::format("leda {} wrote it, this is leda {}", version.substr(0, 80), version_);
   }
   head_bytes = static_cast<std::size_t>(lines.tellg());
   const auto state = std::string_view(bytes).substr(head_bytes);

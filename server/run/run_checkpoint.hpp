@@ -15,7 +15,7 @@ namespace leda::server {
 class RunCheckpoint {
  public:
   /// @param sha256 of the case
-  /// @param version of the program
+  /// @param version of the program, and how it computes where that may be chosen
   RunCheckpoint(const std::filesystem::path& folder, std::string sha256, std::string version);
 
   /// What stands in the folder.

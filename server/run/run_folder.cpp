@@ -10,6 +10,7 @@
 #include "db/view_file.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/result_document.hpp"
+#include "server/operate/version.hpp"
 #include "server/run/run_checkpoint.hpp"
 
 namespace leda::server {
@@ -60,15 +61,24 @@ std::vector<std::string> material_names(const Section& section) {
   return names;
 }
 
+/// What has to be the same for a checkpoint to be gone on from: the program, and how it is asked
+/// to compute.
+std::string computed_by(const RunOptions& options) {
+  std::string by = version();
+  if (options.precision == Precision::double_precision) by += " in double precision";
+  if (!options.ground_rests) by += " without rest";
+  return by;
+}
+
 /// The files of one run, and the checkpoints that let another process go on with it.
 class RunFiles {
  public:
   RunFiles(const CaseFile& run, const std::string& sha256, const fs::path& folder,
            const RunOptions& options)
       : options_(options),
-        fields_(folder / "fields.h5", material_names(run.section), sha256, LEDA_VERSION),
+        fields_(folder / "fields.h5", material_names(run.section), sha256, version()),
         progress_(folder / "progress.json"),
-        checkpoint_(folder, sha256, LEDA_VERSION) {
+        checkpoint_(folder, sha256, computed_by(options)) {
     if (run.settings.output.paraview) view_.emplace(folder);
   }
 
@@ -156,7 +166,8 @@ RunOutcome run_case(std::string_view case_text, const fs::path& folder, const Ru
   const std::string sha256 = case_sha256(*parsed.value);
   RunFiles files(*parsed.value, sha256, folder, options);
   RunSettings settings = parsed.value->settings;
-  settings.full = options.full;
+  settings.precision = options.precision;
+  settings.ground_rests = options.ground_rests;
   SectionResult result =
       solver::simulate(parsed.value->section, settings, files.listener(), options.threads);
   if (result.status == RunStatus::interrupted) {
@@ -165,7 +176,7 @@ RunOutcome run_case(std::string_view case_text, const fs::path& folder, const Ru
   }
   files.close();
   result.case_sha256 = sha256;
-  result.version = LEDA_VERSION;
+  result.version = version();
   const std::string text = result_text(result);
   // What was written counts: a value that is not finite has turned the result unstable there.
   auto written = parse_result(text);

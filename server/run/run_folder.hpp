@@ -33,8 +33,9 @@ struct RunOptions {
   /// Leaves the last checkpoint beside the result, so that a result that turns out damaged costs
   /// no more than the steps since then. Whoever takes the result in removes it.
   bool keep_checkpoint = false;
-  bool full = false;  ///< RunSettings::full
-  int threads = 1;    ///< the result is the same for any number
+  Precision precision = Precision::single_precision;  ///< as in RunSettings
+  bool ground_rests = true;                           ///< as in RunSettings
+  int threads = 1;                                    ///< the result is the same for any number
 };
 
 struct RunOutcome {
@@ -46,8 +47,8 @@ struct RunOutcome {
 /// Runs a case and writes progress.json (several times a second, always whole), fields.h5,
 /// view.pvd where the case asks for it, profile_after.csv and, last, result.json. An interrupted
 /// run leaves no result.json. An invalid case changes nothing. A checkpoint in the folder that is
-/// of this case and version is gone on from, another one is refused with a line to `say`.
-/// Throws std::runtime_error naming the file when one cannot be written, std::bad_alloc.
+/// of this case, version and way of computing is gone on from, another one is refused with a line
+/// to `say`. Throws std::runtime_error naming the file when one cannot be written, std::bad_alloc.
 RunOutcome run_case(std::string_view case_text, const std::filesystem::path& folder,
                     const RunOptions& options = {});
 

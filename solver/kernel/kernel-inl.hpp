@@ -22,7 +22,9 @@ Kernel<Real> kernel_here() {
   using Tag = hn::CappedTag<Real, most_lanes>;
   using Rows = hn::CappedTag<Real, std::min(most_lanes, rows_at_once)>;
   Kernel<Real> k;
-  k.instructions = hwy::TargetName(HWY_TARGET);
+  for (const char* c = hwy::TargetName(HWY_TARGET); *c != 0; ++c) {
+    k.instructions += static_cast<char>(*c >= 'A' && *c <= 'Z' ? *c - 'A' + 'a' : *c);
+  }
   k.lanes = hn::Lanes(Tag());
   k.update_columns = [](Grid<Real>& grid, const StepSettings& step, std::size_t first,
                         std::size_t last) {

@@ -2,6 +2,8 @@
 // The passes of one step, for each number type: functions of vector code, chosen by the processor
 // (Highway). How they make a step: solver/kernel/model.cpp.
 
+#include <string>
+
 #include "solver/kernel/grid.hpp"
 #include "solver/kernel/packs.hpp"
 #include "solver/materials/laws.hpp"
@@ -44,7 +46,7 @@ struct PointSums {
 /// that they see, and to their spans.
 template <class Real>
 struct Kernel {
-  const char* instructions;  ///< "avx3", "avx2", "sse4" ...
+  std::string instructions;  ///< Highway's name of the target: "avx3" (AVX-512), "avx2", "sse4"
   std::size_t lanes;         ///< of a vector
 
   /// Momentum balance on the nodes of columns `first` to `last` - 1 (a column of ghost nodes goes

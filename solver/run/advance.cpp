@@ -82,7 +82,7 @@ ModelSettings moving_settings(const RunState& run) {
   return {.softer = takes_long_steps(*run.settings),
           .averages = run.seeded.averages,
           .keeps_force = false,
-          .rests = !run.settings->full};
+          .rests = run.settings->ground_rests};
 }
 
 bool take_particles(RunState& run, const Particles& particles) {

@@ -122,7 +122,7 @@ void begin_moving(RunState& run) {
       return converted<Real>(model, run.seeded.size, run.seeded.laws, moving_settings(run));
     });
   };
-  run.settings->full ? moving(double{}) : moving(float{});
+  run.settings->precision == Precision::double_precision ? moving(double{}) : moving(float{});
 }
 
 }  // namespace leda::solver

@@ -47,6 +47,7 @@ struct RunState {
   GridSums node_sums;  ///< of the last step
   double travel = 0;  ///< the most a particle may have moved since all were put into their cells, m
   StageClock clock;
+  Engine engine;               ///< of the moving stage, no part of the state
   LastGood last_good;          ///< what the run ends with should it become unstable
   bool resumed = false;        ///< the state comes from a checkpoint
   std::int64_t frames = 0;     ///< handed to the listener so far
@@ -67,6 +68,9 @@ ModelSettings moving_settings(const RunState& run);
 /// A model of these particles, of the same precision as before.
 /// @return false where a particle lies outside the grid; nothing is changed then
 bool take_particles(RunState& run, const Particles& particles);
+
+/// What computes the stage under way; before the first, the quiet ones.
+Engine engine_of(const RunState& run);
 
 /// One step with the time step the present state allows, and the checks that go with it.
 /// @return nothing while the run is sound

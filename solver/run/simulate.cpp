@@ -136,6 +136,7 @@ SectionResult result_of(RunState& run, const StageEnd& end) {
   r.balances = run.worst;
   r.numerical_dissipation = run.numerical_dissipation;
   r.profile_after = profile_after(run);
+  r.engine = run.engine;
   r.warnings = run.warnings;
   warn(run, m, r.warnings);
   return r;
@@ -151,6 +152,7 @@ RunState start(const Section& section, const RunSettings& settings, const Listen
   begin_quiet(run);
   run.ground = surface(run.model, run.seeded);
   run.slides = SlideCount(run.bank.crest.z - run.bank.toe.z, settings.resolution.cell_m);
+  run.engine = engine_of(run);
   return run;
 }
 

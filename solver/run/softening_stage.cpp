@@ -148,6 +148,7 @@ StageEnd run_steps(RunState& run) {
 StageEnd run_stage(RunState& run, StageClock::Stage stage) {
   if (!run.team) run.team = std::make_shared<ThreadTeam>(1);
   if (run.clock.stage != stage) begin(run, stage);
+  run.engine = engine_of(run);
   return run_steps(run);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "solver/section/engine.hpp"
 #include "solver/section/geometry.hpp"
 
 namespace leda {
@@ -50,7 +51,8 @@ struct RunSettings {
   double time_step_factor = 0.65;  ///< of h / c_p; 1 is stable in all of leda check
   Stop stop;
   Output output;
-  bool full = false;  ///< the reference way: double precision, no saving of any kind
+  Precision precision = Precision::single_precision;  ///< of the moving stage
+  bool ground_rests = true;  ///< ground that has come to rest is not stepped
 };
 
 }  // namespace leda

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/section/engine.hpp"
 #include "solver/section/geometry.hpp"
 
 namespace leda {
@@ -45,7 +46,8 @@ struct SectionResult {
   Polyline profile_after;
   std::vector<std::string> warnings;
   std::string case_sha256;
-  std::string version;
+  std::string version;           ///< of the program, with its commit
+  std::optional<Engine> engine;  ///< absent: computed before results named it
 };
 
 /// Whether the model's edge cut a distance short: a warning then ends with "is a lower bound".

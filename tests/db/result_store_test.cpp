@@ -62,6 +62,7 @@ TEST_F(ResultStore, AResultComesBackWhole) {
   EXPECT_EQ(back.warnings, r.warnings);
   EXPECT_EQ(back.case_sha256, r.case_sha256);
   EXPECT_EQ(back.version, r.version);
+  EXPECT_EQ(back.engine, r.engine);
   EXPECT_EQ(store.result_document(id), R"({"status": "as sent"})");
 }
 

@@ -106,6 +106,7 @@ inline SectionResult result(RunStatus status = RunStatus::at_rest) {
   r.warnings = {"the front is within two cells of the edge"};
   r.case_sha256 = std::string(64, 'c');
   r.version = "0.1.0";
+  r.engine = {Precision::single_precision, "avx2", 0.65, false};
   return r;
 }
 

@@ -140,6 +140,7 @@ TEST_F(Upgrade, TheOldRowsAreReadAndGoOn) {
   const auto section = store.section("done", "AA'");
   ASSERT_TRUE(section && section->result && section->placed);
   EXPECT_DOUBLE_EQ(section->result->crest_to_crest_retrogression_m, 12.5);
+  EXPECT_FALSE(section->result->engine) << "nobody knows what computed it";
   EXPECT_EQ(section->attempts, 2);
   EXPECT_EQ(store.zones("done").size(), 2U);
   // What was under way when the old server ended is taken up.

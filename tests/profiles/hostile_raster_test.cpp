@@ -7,6 +7,7 @@
 
 #include "profiles/register_dem.hpp"
 #include "tests/profiles/drawn_dem.hpp"
+#include "tests/profiles/trap_rasters.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -121,34 +122,30 @@ TEST(HostileRaster, TextAndTruncatedFiles) {
   EXPECT_NE(refusal(whole), "(taken)");
 }
 
-// The rasters other projects keep for their own tests.
-TEST(HostileRaster, BadRastersOfOtherProjects) {
-  const fs::path folder = fs::path(LEDA_SHARED_DATA) / "bad-rasters";
-  if (!fs::exists(folder)) GTEST_SKIP() << "no " << folder << " beside the source";
-  EXPECT_SAYS(refusal(folder / "whitebox_DEM_nocrs_anisotropic.tif"), "not a projected one");
-  EXPECT_SAYS(refusal(folder / "west_bijou_gully.asc"), "no coordinate reference system");
-  EXPECT_SAYS(refusal(folder / "zSW3.asc"), "no coordinate reference system");
-  EXPECT_SAYS(refusal(folder / "rasterio_rotated.tif"), "no coordinate reference system");
-  EXPECT_SAYS(refusal(folder / "rasterio_float_nan.tif"), "no coordinate reference system");
-  EXPECT_SAYS(refusal(folder / "rasterio_all-nodata.tif"), "4 bands");
-  EXPECT_SAYS(refusal(folder / "west_bijou_escarpment_snippet.asc"),
-              "no coordinate reference system");
-  EXPECT_SAYS(refusal(folder / "west_bijou_escarpment_snippet.asc",
-                      {.vertical_unit = "", .epsg = 26913, .limits = {}}),
+class TrapRasters : public testing::Test {
+ protected:
+  void SetUp() override { test::write_trap_rasters(traps.path()); }
+  const TestFolder traps;
+};
+
+TEST_F(TrapRasters, AreRefusedAsTheyAre) {
+  EXPECT_SAYS(refusal(traps / "engineering_90m.tif"), "not a projected one");
+  for (const char* name : {"gully.asc", "sieve.asc", "rotated.tif", "south_up.tif", "degrees.asc"})
+    EXPECT_SAYS(refusal(traps / name), "no coordinate reference system");
+  EXPECT_SAYS(refusal(traps / "four_bands.tif"), "4 bands");
+  EXPECT_SAYS(refusal(traps / "degrees.asc", {.vertical_unit = "", .epsg = 26913, .limits = {}}),
               "degrees");
 }
 
-TEST(HostileRaster, OnesWithACrsStatedByTheCallerAreRead) {
-  const fs::path folder = fs::path(LEDA_SHARED_DATA) / "bad-rasters";
-  if (!fs::exists(folder)) GTEST_SKIP() << "no " << folder << " beside the source";
+TEST_F(TrapRasters, WithACrsStatedByTheCallerAreRead) {
   const TestFolder out;
   const DemOptions utm{.vertical_unit = "", .epsg = 26913, .limits = {}};
-  EXPECT_NEAR(register_dem(folder / "west_bijou_gully.asc", out / "a.tif", utm).share_with_data,
-              0.28, 0.01);
-  EXPECT_NEAR(register_dem(folder / "zSW3.asc", out / "b.tif", utm).share_with_data, 0.74, 0.01);
-  EXPECT_TRUE(register_dem(folder / "rasterio_rotated.tif", out / "c.tif", utm).info.rotated);
-  const auto south_up = register_dem(folder / "rasterio_float_nan.tif", out / "d.tif", utm);
+  EXPECT_NEAR(register_dem(traps / "gully.asc", out / "a.tif", utm).share_with_data, 0.28, 1e-6);
+  EXPECT_NEAR(register_dem(traps / "sieve.asc", out / "b.tif", utm).share_with_data, 0.74, 1e-6);
+  EXPECT_TRUE(register_dem(traps / "rotated.tif", out / "c.tif", utm).info.rotated);
+  const auto south_up = register_dem(traps / "south_up.tif", out / "d.tif", utm);
   EXPECT_EQ(south_up.info.box, (MapBox{0, 0, 300, 200}));
+  EXPECT_NEAR(south_up.share_with_data, 5.0 / 6, 1e-6);
 }
 
 }  // namespace

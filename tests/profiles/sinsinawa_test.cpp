@@ -1,12 +1,13 @@
-// Real terrain: a river valley with surveyed points, in feet and in metres.
+// Real terrain: a river valley with surveyed points (tests/data/sinsinawa), in feet and in metres.
 
+#include <gdal_priv.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include "profiles/dem.hpp"
+#include "tests/profiles/drawn_dem.hpp"
 #include "tests/verification/record.hpp"
 
 namespace leda::profiles {
@@ -14,50 +15,74 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double metres_in_a_foot = 0.3048;
+
+struct Surveyed {
+  MapPoint at;
+  double elevation_ft = 0;
+};
+
+std::vector<Surveyed> surveyed_points() {
+  std::ifstream file(fs::path(LEDA_TEST_DATA) / "sinsinawa" / "points.csv");
+  std::string header;
+  std::getline(file, header);
+  std::vector<Surveyed> points;
+  Surveyed p;
+  char comma = 0;
+  while (file >> p.at.x >> comma >> p.at.y >> comma >> p.elevation_ft) points.push_back(p);
+  return points;
+}
+
+fs::path dem_in_feet() { return fs::path(LEDA_TEST_DATA) / "sinsinawa" / "dem_2m_feet.tif"; }
+
+Dem open_in_feet() {
+  return Dem::open(dem_in_feet(), {.vertical_unit = "ft", .epsg = 0, .limits = {}});
+}
+
 TEST(Sinsinawa, BilinearSamplesAgreeWithTheSurveyedPoints) {
-  const fs::path folder = fs::path(LEDA_SHARED_DATA) / "sinsinawa";
-  if (!fs::exists(folder)) GTEST_SKIP() << "no " << folder << " beside the source";
-  const Dem dem = Dem::open(folder / "sinsinawa_dem_2m_feet.tif",
-                            {.vertical_unit = "ft", .epsg = 0, .limits = {}});
-  std::ifstream points(folder / "riffle_floodplain_points.csv");
-  std::string line, field;
-  std::getline(points, line);
-  int count = 0;
+  const Dem dem = open_in_feet();
   double squares = 0;
-  while (std::getline(points, line)) {
-    std::istringstream fields(line);
-    std::vector<std::string> row;
-    while (std::getline(fields, field, ',')) row.push_back(field);
-    const auto z = dem.sample({std::stod(row.at(1)), std::stod(row.at(2))});
-    ASSERT_TRUE(z) << line;
-    const double off_feet = *z / 0.3048 - std::stod(row.at(7));
+  const auto points = surveyed_points();
+  ASSERT_EQ(points.size(), 3522U);
+  for (const Surveyed& point : points) {
+    const auto z = dem.sample(point.at);
+    ASSERT_TRUE(z) << point.at.x << " " << point.at.y;
+    const double off_feet = *z / metres_in_a_foot - point.elevation_ft;
     squares += off_feet * off_feet;
-    ++count;
   }
-  EXPECT_EQ(count, 3522);
-  const double rmse_feet = std::sqrt(squares / count);
-  leda::test::record(rmse_feet, " ft over ", count, " points");
+  const double rmse_feet = std::sqrt(squares / static_cast<double>(points.size()));
+  leda::test::record(rmse_feet, " ft over ", points.size(), " points");
   EXPECT_LE(rmse_feet, 0.20);
 }
 
-TEST(Sinsinawa, FeetAndMetresAreTheSameGround) {
-  const fs::path folder = fs::path(LEDA_SHARED_DATA) / "sinsinawa";
-  if (!fs::exists(folder)) GTEST_SKIP() << "no " << folder << " beside the source";
-  const Dem feet = Dem::open(folder / "sinsinawa_dem_2m_feet.tif",
-                             {.vertical_unit = "ft", .epsg = 0, .limits = {}});
-  const Dem metres = Dem::open(folder / "sinsinawa_dem_2m_m.tif");
-  int both = 0;
-  for (int column = 5; column < 571; column += 7) {
-    for (int row = 5; row < 944; row += 7) {
-      const MapPoint p = metres.to_map(column, row);
-      const auto a = feet.sample(p), b = metres.sample(p);
-      EXPECT_EQ(a.has_value(), b.has_value());
-      if (!a || !b) continue;
-      EXPECT_NEAR(*a, *b, 0.002);
-      ++both;
-    }
+/// The same ground with elevations in metres, converted here and by nobody else.
+fs::path write_in_metres(const fs::path& file) {
+  initialize_gdal();
+  const GDALDatasetUniquePtr feet(GDALDataset::Open(dem_in_feet().c_str()));
+  test::DrawnDem dem;
+  dem.columns = feet->GetRasterXSize();
+  dem.rows = feet->GetRasterYSize();
+  feet->GetGeoTransform(dem.transform.data());
+  dem.epsg = 26915;
+  dem.cells.resize(static_cast<std::size_t>(dem.columns) * static_cast<std::size_t>(dem.rows));
+  EXPECT_EQ(feet->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, dem.columns, dem.rows, dem.cells.data(),
+                                             dem.columns, dem.rows, GDT_Float32, 0, 0, nullptr),
+            CE_None);
+  for (float& z : dem.cells) {
+    if (z > -9999) z = static_cast<float>(z * metres_in_a_foot);
   }
-  EXPECT_GT(both, 1000);
+  return test::write_geotiff(dem, file);
+}
+
+TEST(Sinsinawa, FeetAndMetresAreTheSameGround) {
+  const test::TestFolder folder;
+  const Dem feet = open_in_feet();
+  const Dem metres = Dem::open(write_in_metres(folder / "metres.tif"));
+  for (const Surveyed& point : surveyed_points()) {
+    const auto a = feet.sample(point.at), b = metres.sample(point.at);
+    ASSERT_TRUE(a && b) << point.at.x << " " << point.at.y;
+    EXPECT_NEAR(*a, *b, 0.002);
+  }
 }
 
 }  // namespace

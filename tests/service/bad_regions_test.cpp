@@ -9,6 +9,8 @@
 #include <iterator>
 #include <set>
 
+#include "tests/profiles/drawn_dem.hpp"
+#include "tests/profiles/trap_rasters.hpp"
 #include "tests/server/temporary_folder.hpp"
 #include "tests/service/leda_process.hpp"
 #include "tests/service/region_on_a_bank.hpp"
@@ -227,9 +229,9 @@ TEST_F(BadRegions, ARasterThatDeclaresAHugeGrid) {
 }
 
 TEST_F(BadRegions, RastersThatAreTraps) {
-  const std::filesystem::path traps = std::filesystem::path(LEDA_SHARED_DATA) / "bad-rasters";
-  if (!std::filesystem::is_directory(traps)) GTEST_SKIP() << traps << " is not there";
-  for (const auto& entry : std::filesystem::directory_iterator(traps)) {
+  const test::TestFolder traps;
+  test::write_trap_rasters(traps.path());
+  for (const auto& entry : std::filesystem::directory_iterator(traps.path())) {
     const auto answer = server->client().Post("/rasters?name=" + entry.path().stem().string(),
                                               whole(entry.path()), "image/tiff");
     ASSERT_TRUE(answer) << entry.path();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "tests/server/temporary_folder.hpp"
@@ -39,7 +40,10 @@ class CommandLine : public testing::Test {
 };
 
 TEST_F(CommandLine, EveryCommandHasHelpAndTheProgramAVersion) {
-  EXPECT_TRUE(run_leda({"--version"}).text.starts_with("leda "));
+  const std::string version = run_leda({"--version"}).text;
+  EXPECT_TRUE(std::regex_match(
+      version, std::regex("leda [0-9]+\\.[0-9]+\\.[0-9]+(\\+g[0-9a-f]{8}(-dirty)?)?\n")))
+      << version;
   for (const char* command : {"serve", "map", "simulate", "compare", "export"}) {
     const Output help = run_leda({command, "--help"});
     EXPECT_EQ(help.exit_code, 0) << command;

@@ -80,6 +80,21 @@ TEST_F(WholeWay, ASectionIsFoundByItsName) {
   EXPECT_FALSE(section["log"].get<std::string>().empty());
 }
 
+TEST_F(WholeWay, EverythingSaysWhichProgramMadeIt) {
+  const std::string version = run_leda({"--version"}).text.substr(std::string("leda ").size());
+  const std::string known = version.substr(0, version.find('\n'));
+  EXPECT_EQ(server->get("/api")["info"]["version"], known);
+  EXPECT_EQ(server->get("/processes/map-region")["version"], known);
+  const json section = server->get(of_job("/sections/AA%27"));
+  EXPECT_EQ(section["version"], known);
+  EXPECT_EQ(section["result"]["version"], known);
+  EXPECT_EQ(section["engine"], section["result"]["engine"]);
+  EXPECT_EQ(section["engine"]["precision"], "single");
+  EXPECT_EQ(section["engine"]["time_step_factor"], 0.65);
+  const json zones = server->get("/collections/release_zones/items?job=" + job);
+  EXPECT_EQ(zones["features"][0]["properties"]["version"], known);
+}
+
 TEST_F(WholeWay, SectionsOfTheSameBankAgree) {
   const json comparison = server->get(of_job("/compare?sections=AA%27,BB%27"));
   EXPECT_EQ(comparison["sections"].size(), 2U);

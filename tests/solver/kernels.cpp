@@ -44,9 +44,9 @@ const Kernel<Real>& narrow_kernel() {
 
 template <class Real>
 KernelHere<Real> named(const Kernel<Real>& kernel) {
-  const std::string instructions = kernel.instructions;
+  const std::string& instructions = kernel.instructions;
   return {&kernel, instructions + " with " + std::to_string(kernel.lanes) + " lanes",
-          instructions.starts_with("AVX")};
+          instructions.starts_with("avx")};
 }
 
 }  // namespace

@@ -87,7 +87,8 @@ TEST(Model, SinglePrecisionAndRestGiveTheRetrogressionOfDoubleWithoutRest) {
   settings.trigger = UndrainedTrigger{4.0};
   for (const Section& section : {plain, rated, nearly}) {
     RunSettings full = settings;
-    full.full = true;
+    full.precision = Precision::double_precision;
+    full.ground_rests = false;
     const SectionResult a = simulate(section, settings), b = simulate(section, full);
     EXPECT_NEAR(a.crest_to_crest_retrogression_m, b.crest_to_crest_retrogression_m,
                 settings.resolution.cell_m);

@@ -91,7 +91,7 @@ double share_stepped(const SectionResult& r) {
 TEST(Rest, RetrogressionIsThatOfARunWithoutIt) {
   RunSettings settings = coarse();
   const SectionResult saving = simulate(in_a_plain(), settings);
-  settings.full = true;
+  settings.ground_rests = false;
   const SectionResult full = simulate(in_a_plain(), settings);
   ASSERT_GT(full.crest_to_crest_retrogression_m, 5);
   EXPECT_NEAR(saving.crest_to_crest_retrogression_m, full.crest_to_crest_retrogression_m,

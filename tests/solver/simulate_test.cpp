@@ -4,6 +4,7 @@
 
 #include <ranges>
 
+#include "solver/kernel/instructions.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {
@@ -57,11 +58,45 @@ TEST(Simulate, TheReferenceBalancesToRoundOff) {
   RunSettings settings = coarse();
   settings.trigger = UndrainedTrigger{4.0};
   settings.stop.max_time_s = 3;
-  settings.full = true;
+  settings.precision = Precision::double_precision;
   const SectionResult r = simulate(one_slide(), settings);
   EXPECT_LT(r.balances.mass, 1e-12);
   EXPECT_LT(r.balances.momentum, 1e-12);
   EXPECT_LT(r.balances.energy, 0.05);
+}
+
+RunSettings short_run() {
+  RunSettings settings = coarse();
+  settings.stop.max_time_s = 0.1;
+  return settings;
+}
+
+TEST(Simulate, SaysWhatComputedIt) {
+  RunSettings settings = short_run();
+  settings.time_step_factor = 0.4;
+  EXPECT_EQ(simulate(one_slide(), settings).engine,
+            (Engine{Precision::single_precision, instructions(), 0.4, false}));
+  settings.precision = Precision::double_precision;
+  EXPECT_EQ(simulate(one_slide(), settings).engine,
+            (Engine{Precision::double_precision, instructions(), 0.4, false}));
+  Section stiff = one_slide();
+  stiff.materials["clay"].poisson_ratio = 0.49;
+  const SectionResult averaged = simulate(stiff, settings);
+  ASSERT_TRUE(averaged.engine);
+  EXPECT_TRUE(averaged.engine->averaged_dilation);
+}
+
+// Asked for 0.9; with one particle a cell steps are not as long as that.
+TEST(Simulate, TheTimeStepFactorIsTheOneThatWasUsed) {
+  RunSettings settings = short_run();
+  settings.time_step_factor = 0.9;
+  settings.resolution.particles_per_cell = 1;
+  const SectionResult held_back = simulate(one_slide(), settings);
+  settings.time_step_factor = held_back.engine->time_step_factor;
+  EXPECT_LT(settings.time_step_factor, 0.9);
+  const SectionResult the_same = simulate(one_slide(), settings);
+  EXPECT_EQ(the_same.steps, held_back.steps);
+  EXPECT_EQ(the_same.profile_after, held_back.profile_after);
 }
 
 TEST(Simulate, ASlideToTheEdgeOfTheModelSaysSo) {

@@ -53,6 +53,7 @@ db::PageFilter filter_of(const Service& service, const Call& call) {
   filter.limit = whole_number(call, "limit", 100, 1, 10'000);
   filter.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
   filter.box = wanted_box(call);
+  interval(call);  // features have no time of their own, so that each is of any time
   if (const auto id = call.parameter("job")) filter.job = job_or_problem(service.store, *id).id;
   return filter;
 }

@@ -12,24 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-/// "FROM/TO" with ".." or nothing for an open end, or one moment.
-void read_datetime(const Call& call, db::JobFilter& filter) {
-  const auto given = call.parameter("datetime");
-  if (!given) return;
-  const auto slash = given->find('/');
-  const auto end_of = [&](const std::string& text) {
-    if (text.empty() || text == "..") return std::string();
-    if (!is_datetime(text)) {
-      throw Problem(Failure::invalid_parameter,
-                    "datetime is '" + *given + "': give 2026-01-31T12:00:00Z or FROM/TO");
-    }
-    return text;
-  };
-  filter.created_from = end_of(given->substr(0, slash));
-  filter.created_to =
-      slash == std::string::npos ? filter.created_from : end_of(given->substr(slash + 1));
-}
-
 db::JobFilter filter_of(const Call& call) {
   db::JobFilter filter;
   filter.processes = list(call, "processID");
@@ -42,7 +24,9 @@ db::JobFilter filter_of(const Call& call) {
     }
     filter.states.push_back(*state);
   }
-  read_datetime(call, filter);
+  const Interval created = interval(call);
+  filter.created_from = created.from;
+  filter.created_to = created.to;
   filter.least_s = seconds(call, "minDuration");
   filter.most_s = seconds(call, "maxDuration");
   filter.limit = whole_number(call, "limit", 100, 1, 1000);

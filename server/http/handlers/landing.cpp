@@ -43,21 +43,17 @@ std::string html_page(const json& links) {
 }  // namespace
 
 Answer get_landing(Service& service, const Call& call) {
-  format(call, {"json", "html"});
+  const bool for_people = format(call, {"json", "html"}) == "html";
   const json links = links_of(service.url);
-  if (wants_html(call)) {
+  if (for_people) {
     Answer answer;
     answer.type = "text/html; charset=utf-8";
     answer.body = html_page(links);
-    answer.headers.emplace_back("Vary", "Accept");
     return answer;
   }
-  Answer answer =
-      json_answer({{"title", "Leda"},
-                   {"description", "Hazard maps of retrogressive landslides in sensitive clays"},
-                   {"links", links}});
-  answer.headers.emplace_back("Vary", "Accept");
-  return answer;
+  return json_answer({{"title", "Leda"},
+                      {"description", "Hazard maps of retrogressive landslides in sensitive clays"},
+                      {"links", links}});
 }
 
 Answer get_conformance(Service& /*service*/, const Call& call) {

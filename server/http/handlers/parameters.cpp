@@ -4,10 +4,25 @@
 #include <charconv>
 #include <string_view>
 
+#include "profiles/export_layers.hpp"
+#include "server/http/accept.hpp"
+#include "server/http/header_list.hpp"
 #include "server/http/problem.hpp"
 #include "server/http/router.hpp"
 
 namespace leda::server {
+namespace {
+
+/// Of a value of f=.
+std::string media_type_of(const std::string& format) {
+  if (format == "html") return "text/html";
+  if (format == "csv") return "text/csv";
+  if (format == "svg") return "image/svg+xml";
+  const auto layers = profiles::export_format_from(format);
+  return layers ? profiles::media_type(*layers) : "application/json";
+}
+
+}  // namespace
 
 int whole_number(const Call& call, const std::string& name, int absent, int least, int most) {
   const auto text = call.parameter(name);
@@ -36,20 +51,21 @@ std::vector<std::string> list(const Call& call, const std::string& name) {
   }
 }
 
-bool wants_html(const Call& call) {
-  if (const auto f = call.parameter("f")) return *f == "html";
-  const std::string accept = call.header("Accept");
-  const auto html = accept.find("text/html");
-  return html != std::string::npos && html <= accept.find("application/json");
-}
-
 std::string format(const Call& call, const std::vector<std::string>& known) {
   const auto given = call.parameter("f");
-  if (!given) return known.front();
-  if (std::find(known.begin(), known.end(), *given) != known.end()) return *given;
+  if (given && std::find(known.begin(), known.end(), *given) != known.end()) return *given;
   std::string choice;
   for (const auto& name : known) choice += (choice.empty() ? "" : ", ") + name;
-  throw Problem(Failure::invalid_parameter, "f is '" + *given + "': give one of " + choice);
+  if (given) {
+    throw Problem(Failure::invalid_parameter, "f is '" + *given + "': give one of " + choice);
+  }
+  const std::string accept = call.header("Accept");
+  const auto want = [&](const std::string& name) { return wanted(accept, media_type_of(name)); };
+  const auto best = std::max_element(
+      known.begin(), known.end(), [&](const auto& a, const auto& b) { return want(a) < want(b); });
+  if (want(*best).quality > 0) return *best;
+  throw Problem(Failure::not_acceptable, "Accept is '" + accept + "': there is " + choice +
+                                             ", which f= chooses whatever Accept says");
 }
 
 std::optional<double> seconds(const Call& call, const std::string& name) {
@@ -69,11 +85,7 @@ bool has_already(const Call& call, const std::string& tag) {
   const std::string given = call.header("If-None-Match");
   std::string_view rest = given;
   while (!rest.empty()) {
-    const auto comma = std::min(rest.find(','), rest.size());
-    std::string_view one = rest.substr(0, comma);
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
-    while (one.starts_with(' ')) one.remove_prefix(1);
-    while (one.ends_with(' ')) one.remove_suffix(1);
+    std::string_view one = take_part(rest, ',');
     if (one.starts_with("W/")) one.remove_prefix(2);
     if (one == tag || one == "*") return true;
   }
@@ -85,6 +97,26 @@ Answer not_modified(const std::string& tag) {
   answer.status = 304;
   answer.headers.emplace_back("ETag", tag);
   return answer;
+}
+
+Interval interval(const Call& call) {
+  const auto given = call.parameter("datetime");
+  if (!given) return {};
+  const auto slash = given->find('/');
+  const auto end_of = [&](const std::string& text, const char* time_of_a_day) {
+    if (slash != std::string::npos && (text.empty() || text == "..")) return std::string();
+    if (!is_datetime(text)) {
+      throw Problem(
+          Failure::invalid_parameter,
+          "datetime is '" + *given +
+              "': give 2026-01-31, 2026-01-31T12:00:00Z or FROM/TO, with .. for an open end");
+    }
+    const bool is_day = text.find('T') == std::string::npos;
+    return is_day ? text + time_of_a_day : text;
+  };
+  const std::string from = given->substr(0, slash);
+  const std::string to = slash == std::string::npos ? from : given->substr(slash + 1);
+  return {end_of(from, "T00:00:00Z"), end_of(to, "T23:59:59.999Z")};
 }
 
 bool is_datetime(const std::string& text) {

@@ -16,10 +16,8 @@ int whole_number(const Call& call, const std::string& name, int absent, int leas
 /// The parts of a comma-separated value; empty where it is not given.
 std::vector<std::string> list(const Call& call, const std::string& name);
 
-/// Whether the client wants HTML rather than JSON: by f=, else by its Accept header.
-bool wants_html(const Call& call);
-
-/// Refuses an f= that is none of these. @return f, or the first where it is not given
+/// What to answer in: f=, else what the Accept header would rather have, else the first.
+/// @throws Problem invalid_parameter where f= is none of these, not_acceptable where Accept is
 std::string format(const Call& call, const std::vector<std::string>& known);
 
 /// A number of seconds, 0 or more; nothing where it is not given.
@@ -30,6 +28,13 @@ bool has_already(const Call& call, const std::string& tag);
 
 /// The answer to has_already(): 304 with the tag.
 Answer not_modified(const std::string& tag);
+
+/// Times from and to, both included; empty: open. A day is the whole of it.
+struct Interval {
+  std::string from, to;
+};
+/// datetime=: a time, or FROM/TO with ".." or nothing for an open end. @throws Problem
+Interval interval(const Call& call);
 
 /// A time as RFC 3339 writes it, or its date alone.
 bool is_datetime(const std::string& text);

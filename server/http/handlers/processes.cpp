@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "server/documents/execute_options.hpp"
 #include "server/http/handlers/handlers.hpp"
@@ -53,12 +54,22 @@ std::string idempotency_key(const Call& call) {
 
 Answer get_processes(Service& service, const Call& call) {
   format(call, {"json"});
+  const auto all = std::span(processes());
+  const auto limit = static_cast<std::size_t>(whole_number(call, "limit", 100, 1, 1000));
+  const auto first = std::min(
+      static_cast<std::size_t>(whole_number(call, "offset", 0, 0, 1'000'000'000)), all.size());
+  const std::string own = service.url + "/processes";
   json list = json::array();
-  for (const Process& process : processes()) list.push_back(summary_of(process, service.url));
-  return json_answer(
-      {{"processes", list},
-       {"links",
-        {{{"href", service.url + "/processes"}, {"rel", "self"}, {"type", "application/json"}}}}});
+  for (const Process& process : all.subspan(first, std::min(limit, all.size() - first))) {
+    list.push_back(summary_of(process, service.url));
+  }
+  json links = json::array({{{"href", own}, {"rel", "self"}, {"type", "application/json"}}});
+  if (first + list.size() < all.size()) {
+    const int next = static_cast<int>(first + list.size());
+    links.push_back(
+        {{"href", with_offset(call, own, next)}, {"rel", "next"}, {"type", "application/json"}});
+  }
+  return json_answer({{"processes", list}, {"links", links}});
 }
 
 Answer get_process(Service& service, const Call& call) {

@@ -55,7 +55,8 @@ json section_row(const db::SectionRecord& section) {
               {"particles", nullptr},
               {"ns_per_particle_step", nullptr},
               {"case_sha256", nullptr},
-              {"version", nullptr}};
+              {"version", nullptr},
+              {"engine", nullptr}};
   row["warnings"] = section.warnings;
   if (section.result) {
     const SectionResult& result = *section.result;
@@ -69,6 +70,7 @@ json section_row(const db::SectionRecord& section) {
     row["ns_per_particle_step"] = result.ns_per_particle_step;
     row["case_sha256"] = result.case_sha256;
     row["version"] = result.version;
+    if (result.engine) row["engine"] = to_document(*result.engine);
     for (const auto& warning : result.warnings) row["warnings"].push_back(warning);
   }
   return row;

@@ -22,7 +22,7 @@ TEST(ResultDocument, HasTheNamesOfTheContract) {
   for (const char* key :
        {"runout_m", "runout_from_crest_m", "toe_m", "backscarp_m", "front_m", "trigger_used",
         "slides", "simulated_s", "run_time_s", "ns_per_particle_step", "steps", "particles",
-        "numerical_dissipation", "warnings", "reason", "case_sha256", "version"}) {
+        "numerical_dissipation", "warnings", "reason", "case_sha256", "version", "engine"}) {
     EXPECT_TRUE(out.contains(key)) << key;
   }
 }
@@ -35,6 +35,21 @@ TEST(ResultDocument, ComesBackTheSame) {
   EXPECT_EQ(parsed.value->profile_after, first.profile_after);
   EXPECT_EQ(parsed.value->status, RunStatus::at_rest);
   EXPECT_EQ(parsed.value->steps, 24000);
+}
+
+TEST(ResultDocument, SaysWhatComputedIt) {
+  SectionResult result = test::some_result();
+  const json engine{{"precision", "single"},
+                    {"instructions", "avx2"},
+                    {"time_step_factor", 0.65},
+                    {"averaged_dilation", false}};
+  EXPECT_EQ(to_document(result)["engine"], engine);
+  result.engine = {Precision::double_precision, "sse4", 0.5, true};
+  EXPECT_EQ(parse_result(result_text(result)).value->engine, result.engine);
+  result.engine.reset();  // Leda 0.1
+  const auto old = parse_result(result_text(result));
+  ASSERT_TRUE(old) << test::text(old.faults);
+  EXPECT_FALSE(old.value->engine);
 }
 
 TEST(ResultDocument, NeverHoldsWhatIsNotFinite) {
@@ -81,6 +96,10 @@ TEST(ResultDocument, CorruptOnesAreRefused) {
                               "value": [[1, 0], [0, 0]]},
                              {"op": "replace", "path": "/warnings", "value": [1]}])"),
             (Pointers{"/crest_to_crest_retrogression_m", "/profile_after_m/1", "/warnings/0"}));
+  EXPECT_EQ(faults_after(R"([{"op": "replace", "path": "/engine",
+                              "value": {"precision": "half", "averaged_dilation": 1, "x": 1}}])"),
+            (Pointers{"/engine/precision", "/engine/instructions", "/engine/time_step_factor",
+                      "/engine/averaged_dilation", "/engine/x"}));
   EXPECT_FALSE(parse_result(""));
   const std::string whole = result_text(test::some_result());
   EXPECT_FALSE(parse_result(whole.substr(0, whole.size() / 2)));

@@ -28,6 +28,7 @@ inline SectionResult some_result() {
   r.warnings = {"front within two cells of the edge"};
   r.case_sha256 = std::string(64, 'a');
   r.version = "0.1.0";
+  r.engine = {Precision::single_precision, "avx2", 0.65, false};
   return r;
 }
 

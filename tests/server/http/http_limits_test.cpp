@@ -20,7 +20,7 @@ TEST_F(HttpServerTest, WhatIsNotThereIsToldAsAProblem) {
 TEST_F(HttpServerTest, AWrongMethodIsToldWithTheRightOnes) {
   const auto answer = client.Put("/jobs", "", "text/plain");
   expect_problem(answer, 405, "PUT /jobs");
-  EXPECT_EQ(answer->get_header_value("Allow"), "GET");
+  EXPECT_EQ(answer->get_header_value("Allow"), "GET, HEAD, OPTIONS");
 }
 
 TEST_F(HttpServerTest, ParametersAreChecked) {

@@ -35,16 +35,6 @@ TEST(Parameters, AFormatMustBeKnown) {
   EXPECT_THROW(format(call_with("f", "pdf"), {"json", "svg"}), Problem);
 }
 
-TEST(Parameters, ABrowserGetsHtmlAndOthersJson) {
-  Call call;
-  call.header = [](const std::string&) { return "text/html,application/xhtml+xml,*/*;q=0.8"; };
-  EXPECT_TRUE(wants_html(call));
-  call.header = [](const std::string&) { return "*/*"; };
-  EXPECT_FALSE(wants_html(call));
-  call.header = [](const std::string&) { return "application/json, text/html"; };
-  EXPECT_FALSE(wants_html(call));
-}
-
 TEST(Parameters, TheNextLinkKeepsTheOthers) {
   Call call;
   call.query = {{"offset", "0"}, {"status", "failed,running"}};

@@ -9,6 +9,7 @@
 #include "db/result_file.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/result_document.hpp"
+#include "server/operate/version.hpp"
 #include "server/run/run_checkpoint.hpp"
 #include "tests/server/documents/read_data.hpp"
 
@@ -142,8 +143,7 @@ TEST_F(RunFolder, ACheckpointThatCannotBeTrustedIsRefusedWithALine) {
   const std::size_t frame_count = db::read_result_file(folder / "whole" / "fields.h5").size();
   // A sound checkpoint with a state that the solver does not know: of another build, say.
   fs::create_directories(folder / "foreign");
-  RunCheckpoint foreign(folder / "foreign", case_sha256(*parse_case_file(text).value),
-                        LEDA_VERSION);
+  RunCheckpoint foreign(folder / "foreign", case_sha256(*parse_case_file(text).value), version());
   foreign.begin();
   foreign.keep("nonsense", 0);
   const std::string unknown_state = read("foreign/checkpoint.bin");
@@ -158,6 +158,20 @@ TEST_F(RunFolder, ACheckpointThatCannotBeTrustedIsRefusedWithALine) {
     EXPECT_NE(said.find("refused, the run starts anew"), std::string::npos) << said;
     EXPECT_EQ(db::read_result_file(folder / "fields.h5").size(), frame_count);
   }
+}
+
+TEST_F(RunFolder, ACheckpointComputedInAnotherWayIsRefused) {
+  const std::string text = test::read_case("small-bank.json");
+  interrupt(text, folder);
+  std::string said;
+  RunOptions options;
+  options.precision = Precision::double_precision;
+  options.say = [&](const std::string& line) { said += line; };
+  const RunOutcome outcome = run_case(text, folder, options);
+  EXPECT_NE(said.find(std::string(version()) + " in double precision"), std::string::npos) << said;
+  ASSERT_TRUE(outcome.result && outcome.result->engine);
+  EXPECT_EQ(outcome.result->engine->precision, Precision::double_precision);
+  EXPECT_EQ(outcome.result->version, version());
 }
 
 TEST_F(RunFolder, KeepsItsLastCheckpointUntilTheResultIsTakenIn) {
