@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/kernel/time_step.hpp"
-#include "solver/materials/law_table.hpp"
-
 namespace leda::server {
 namespace {
 
 constexpr double gravity = 9.81;
-// Measured on one core of a server processor (solver/kernel/README.md): packs take 8 to 13 ns, the
-// reference 40 to 50.
-constexpr double ns_of_packs = 12, ns_of_reference = 45;
+// Measured on one core of a server processor (solver/measurements.md): 8 to 14 ns.
+constexpr double ns_per_particle_step = 12;
 constexpr db::TypicalRun without_history{0, 40, 0, 0};
 // Bytes of a particle in a frame of fields.h5, deflated, and in the checkpoint.
 constexpr double frame_bytes = 40, checkpoint_bytes = 130;
@@ -34,29 +30,21 @@ double wave_speed(const Material& m) {
   return std::sqrt(modulus * gravity / m.unit_weight);
 }
 
-// As packs_can_run decides it for a run.
-bool runs_on_packs(const Material& m) {
-  return !solver::is_viscous(m) && m.poisson_ratio <= solver::locking_poisson_ratio;
-}
-
 }  // namespace
 
 RunSize run_size(const Section& section, const RunSettings& settings) {
   const double h = settings.resolution.cell_m;
   double fastest = 0;
-  bool packs = true;
   for (const auto& layer : section.layers) {
     const auto material = section.materials.find(layer.material);
     if (material != section.materials.end()) {
       fastest = std::max(fastest, wave_speed(material->second));
-      packs = packs && runs_on_packs(material->second);
     }
   }
   RunSize size;
   size.particles = area_above_base(section) / (h * h) * settings.resolution.particles_per_cell;
-  const double most = solver::most_factor(packs && solver::takes_long_steps(settings));
-  size.steps_per_simulated_s = fastest / (std::min(settings.time_step_factor, most) * h);
-  size.ns_per_particle_step = packs ? ns_of_packs : ns_of_reference;
+  size.steps_per_simulated_s = fastest / (settings.time_step_factor * h);
+  size.ns_per_particle_step = ns_per_particle_step;
   size.longest_s = settings.stop.max_time_s;
   const double interval = settings.output.frame_interval_s;
   if (interval > 0) size.frames += settings.stop.max_time_s / interval;

@@ -188,7 +188,7 @@ void add_time_steps(std::vector<ExtremeCase>& suite) {
   ExtremeCase& coarse = add("1", "time-step factor 1 and one particle a cell, on borders");
   coarse.name += "-on-borders";
   coarse.settings.resolution.particles_per_cell = 1;
-  coarse.promise.statuses.push_back(RunStatus::time_limit);
+  coarse.refused_at = "/time_step_factor";
   // What limits the step where nothing is softer: fins, lonely particles, ground that flows.
   for (const char* name : {"sliver", "lonely-particles", "remolded-0.07", "beta-1000"}) {
     const auto like = std::ranges::find(suite, name, &ExtremeCase::name);

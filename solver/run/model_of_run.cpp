@@ -1,9 +1,6 @@
 #include "solver/run/model_of_run.hpp"
 
-#include <algorithm>
-
 #include "solver/kernel/pack_particles.hpp"
-#include "solver/kernel/time_step.hpp"
 #include "solver/run/run_state.hpp"
 
 namespace leda::solver {
@@ -14,12 +11,11 @@ Particles particles_of(const AnyModel& model) {
 
 Engine engine_of(const RunState& run) {
   return with_model(run.model, [&]<class Real>(const Model<Real>& model) -> Engine {
-    const double most = most_factor(model.settings.softer);
-    return {.precision = sizeof(Real) == 4 ? Precision::single_precision
-                                           : Precision::double_precision,
-            .instructions = model.kernel->instructions,
-            .time_step_factor = std::min(run.settings->time_step_factor, most),
-            .averaged_dilation = model.grid.averages()};
+    return {
+        .precision = sizeof(Real) == 4 ? Precision::single_precision : Precision::double_precision,
+        .instructions = model.kernel->instructions,
+        .time_step_factor = run.settings->time_step_factor,
+        .averaged_dilation = model.grid.averages()};
   });
 }
 

@@ -55,4 +55,14 @@ struct RunSettings {
   bool ground_rests = true;  ///< ground that has come to rest is not stepped
 };
 
+/// The longest step, of h / c_p, that ground as it is can take: 0.7 was stable in all of leda
+/// check.
+inline constexpr double most_factor_unsoftened = 0.65;
+
+/// Whether steps are so long that ground which would limit them has to be softer
+/// (solver/kernel/softer-inl.hpp).
+inline bool takes_long_steps(const RunSettings& settings) {
+  return settings.time_step_factor > most_factor_unsoftened;
+}
+
 }  // namespace leda

@@ -165,8 +165,14 @@ void check_run(const RunSettings& settings, FaultList& faults) {
   fraction("/damping/initial", settings.damping.initial);
   fraction("/damping/dynamic", settings.damping.dynamic);
   const double factor = settings.time_step_factor;
-  faults.within("/time_step_factor", factor, factor > 0 && factor <= 1,
-                "greater than 0 and at most 1");
+  const bool sound = faults.within("/time_step_factor", factor, factor > 0 && factor <= 1,
+                                   "greater than 0 and at most 1");
+  if (sound && takes_long_steps(settings) && settings.resolution.particles_per_cell == 1) {
+    faults.add("/time_step_factor", "is " + show(factor) + ", must be at most " +
+                                        show(most_factor_unsoftened) +
+                                        " with one particle a cell: on borders of splines all of "
+                                        "the ground limits the step then");
+  }
   const double most = settings.stop.max_time_s;
   const bool stop = faults.positive("/stop/max_time_s", most, "s");
   const double interval = settings.output.frame_interval_s;

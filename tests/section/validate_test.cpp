@@ -192,6 +192,18 @@ const Case cases[] = {
     {"time_step_factor",
      [](Section&, RunSettings& r) { r.time_step_factor = 1.01; },
      {"/time_step_factor"}},
+    {"long_steps_of_one_particle_a_cell",
+     [](Section&, RunSettings& r) {
+       r.time_step_factor = 0.7;
+       r.resolution.particles_per_cell = 1;
+     },
+     {"/time_step_factor"}},
+    {"longest_step_of_one_particle_a_cell",
+     [](Section&, RunSettings& r) {
+       r.time_step_factor = 0.65;
+       r.resolution.particles_per_cell = 1;
+     },
+     {}},
     {"stop", [](Section&, RunSettings& r) { r.stop.max_time_s = 0; }, {"/stop/max_time_s"}},
     {"frames_negative",
      [](Section&, RunSettings& r) { r.output.frame_interval_s = -1; },
