@@ -15,8 +15,8 @@ namespace leda::solver {
 
 using Band = std::array<double, 2>;  ///< least and most
 
-/// What must hold of a case, beside that every value of every frame and of the result is finite
-/// and that mass and momentum are kept to 1e-6, which every case promises.
+/// What a case promises, beside what every case does: all values of frames and result are finite,
+/// and mass and momentum are kept to 1e-6.
 struct Promise {
   std::vector<RunStatus> statuses{RunStatus::stable, RunStatus::at_rest};
   double most_energy_error = 0.05;  ///< fraction

@@ -78,19 +78,8 @@ Arrangement arrange(Packs<Real>& packs, const Grid<Real>& grid, std::size_t g,
 }
 
 template <class Real>
-Pack<Real> empty_pack() {
-  Pack<Real> empty{};
-  PackMotion<Real> still{};
-  for (std::size_t l = 0; l < Pack<Real>::lanes; ++l) {
-    put_point(no_point<Real>(0), empty, still, l);
-  }
-  return empty;
-}
-
-template <class Real>
 void clear_pack(Packs<Real>& packs, std::size_t i) {
-  packs.pack[i] = empty_pack<Real>();
-  packs.motion[i] = {};
+  for (std::size_t l = 0; l < Pack<Real>::lanes; ++l) put_point(no_point<Real>(0), packs, i, l);
   packs.taken[i] = packs.strayed[i] = 0;
 }
 
@@ -109,29 +98,11 @@ void fill_pack(Packs<Real>& packs, std::size_t i, const std::int32_t* source,
   LaneBits taken = 0;
   for (std::size_t l = 0; l < Pack<Real>::lanes; ++l) {
     const bool has = source[l] >= 0;
-    put_point(has ? points[static_cast<std::size_t>(source[l])].point : none, packs.pack[i],
-              packs.motion[i], l);
+    put_point(has ? points[static_cast<std::size_t>(source[l])].point : none, packs, i, l);
     if (has) taken = static_cast<LaneBits>(taken | 1U << l);
   }
   packs.taken[i] = taken;
   packs.strayed[i] = 0;
-}
-
-template <class Real>
-void make_room(Packs<Real>& packs, std::size_t g, std::size_t room) {
-  PackGroup& group = packs.group[g];
-  if (room <= group.room) return;
-  const std::size_t more = room - group.room;
-  const auto end = static_cast<std::ptrdiff_t>(group.first + group.room);
-  packs.pack.insert(packs.pack.begin() + end, more, empty_pack<Real>());
-  packs.place.insert(packs.place.begin() + end, more, PackPlace{});
-  packs.motion.insert(packs.motion.begin() + end, more, PackMotion<Real>{});
-  packs.taken.insert(packs.taken.begin() + end, more, 0);
-  packs.strayed.insert(packs.strayed.begin() + end, more, 0);
-  group.room = room;
-  for (std::size_t later = g + 1; later < packs.group.size(); ++later) {
-    packs.group[later].first += more;
-  }
 }
 
 // A point of column c sees columns c to c + 2; before the next time it may move one cell.
@@ -155,9 +126,35 @@ void set_tops(const Packs<Real>& packs, Grid<Real>& grid, std::size_t first, std
 
 template <class Real>
 void begin_groups(Packs<Real>& packs, const Grid<Real>& grid) {
+  const bool held = packs.held, moves = packs.moves;
   packs = Packs<Real>{};
+  packs.held = held;
+  packs.moves = moves;
   packs.group.resize(groups_of(grid.columns));
   packs.column.resize(grid.columns);
+}
+
+template <class Real>
+void make_room(Packs<Real>& packs, std::size_t g, std::size_t room) {
+  PackGroup& group = packs.group[g];
+  if (room <= group.room) return;
+  const std::size_t more = room - group.room;
+  const auto end = static_cast<std::ptrdiff_t>(group.first + group.room);
+  packs.pack.insert(packs.pack.begin() + end, more, Pack<Real>{});
+  packs.place.insert(packs.place.begin() + end, more, PackPlace{});
+  if (packs.moves) packs.motion.insert(packs.motion.begin() + end, more, PackMotion<Real>{});
+  packs.taken.insert(packs.taken.begin() + end, more, 0);
+  packs.strayed.insert(packs.strayed.begin() + end, more, 0);
+  for (std::size_t i = group.first + group.room; i < group.first + room; ++i) clear_pack(packs, i);
+  group.room = room;
+  for (std::size_t later = g + 1; later < packs.group.size(); ++later) {
+    packs.group[later].first += more;
+  }
+}
+
+template <class Real>
+void set_all_tops(const Packs<Real>& packs, Grid<Real>& grid) {
+  set_tops(packs, grid, 0, grid.columns);
 }
 
 template <class Real>
@@ -165,7 +162,7 @@ void fill_group(Packs<Real>& packs, Grid<Real>& grid, std::size_t g,
                 const std::vector<PointAtHome<Real>>& points) {
   const Arrangement a = arrange(packs, grid, g, points);
   const std::size_t count = a.place.size();
-  make_room(packs, g, most_in_use(count));
+  make_room(packs, g, packs.held ? count : most_in_use(count));
   PackGroup& group = packs.group[g];
   for (std::size_t i = count; i < group.in_use; ++i) clear_pack(packs, group.first + i);
   for (std::size_t i = 0; i < count; ++i) {
@@ -187,6 +184,8 @@ void raise_tops(Packs<Real>& packs, Grid<Real>& grid, const PackPlace& home) {
 
 #define LEDA_INSTANCES(Real)                                       \
   template void begin_groups(Packs<Real>&, const Grid<Real>&);     \
+  template void make_room(Packs<Real>&, std::size_t, std::size_t); \
+  template void set_all_tops(const Packs<Real>&, Grid<Real>&);     \
   template void fill_group(Packs<Real>&, Grid<Real>&, std::size_t, \
                            const std::vector<PointAtHome<Real>>&); \
   template void raise_tops(Packs<Real>&, Grid<Real>&, const PackPlace&);

@@ -16,6 +16,14 @@ constexpr std::size_t most_in_use(std::size_t in_order) { return in_order + in_o
 template <class Real>
 void begin_groups(Packs<Real>& packs, const Grid<Real>& grid);
 
+/// Makes room for so many packs in group g; the new ones are empty.
+template <class Real>
+void make_room(Packs<Real>& packs, std::size_t g, std::size_t room);
+
+/// Sets the rows in use of every column of the grid.
+template <class Real>
+void set_all_tops(const Packs<Real>& packs, Grid<Real>& grid);
+
 /// Makes the fewest packs that hold these points, in the order given, and some in reserve, in place
 /// of what group g held; sets the tops of the grid.
 /// @pre the points' homes are columns of the group

@@ -39,6 +39,9 @@ Kernel<Real> kernel_here() {
   };
   k.add_dilation = [](const Packs<Real>& packs, Grid<Real>& grid, std::size_t first,
                       std::size_t last) { add_dilation(Tag(), packs, grid, first, last); };
+  k.steepest = [](const Packs<Real>& packs, Grid<Real>& grid, std::size_t first, std::size_t last) {
+    return steepest(Tag(), packs, grid, first, last);
+  };
   k.add_stress = [](const Packs<Real>& packs, Grid<Real>& grid, std::size_t first,
                     std::size_t last) { add_stress(Tag(), packs, grid, first, last); };
   return k;

@@ -60,7 +60,7 @@ struct Kernel {
   /// Adds the points of packs `first` to `last` - 1 to the sums of the grid; finds the strays.
   /// False where a point has left the grid. Where the grid averages, the mean stresses are those
   /// of its spans.
-  /// @pre packs.motion holds their motion
+  /// @pre packs.motion holds their motion, or they have none
   bool (*spread)(Packs<Real>& packs, Grid<Real>& grid, std::size_t first, std::size_t last);
 
   /// From the nodes to the points and on to the nodes of the next step, in one pass over memory:
@@ -75,6 +75,10 @@ struct Kernel {
   /// @pre no point has strayed; the spans are zero
   void (*add_dilation)(const Packs<Real>& packs, Grid<Real>& grid, std::size_t first,
                        std::size_t last);
+
+  /// Largest slope that the velocities of the nodes have at the points, 1/s.
+  double (*steepest)(const Packs<Real>& packs, Grid<Real>& grid, std::size_t first,
+                     std::size_t last);
 
   /// Adds volume, and volume times the mean of the in-plane normal stresses, likewise.
   void (*add_stress)(const Packs<Real>& packs, Grid<Real>& grid, std::size_t first,

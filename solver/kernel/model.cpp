@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/kernel/group.hpp"
 #include "solver/kernel/pack_particles.hpp"
 #include "solver/kernel/rehome.hpp"
 
@@ -58,9 +59,10 @@ void add(const PointSums& of, PointSums& sums) {
   sums.yields = sums.yields || of.yields;
 }
 
-// Resting packs of group g that moving ground on the right feels; none are felt on the left, since
-// a point gives to its own column of nodes and the two after it. Packs that do not stand in order
-// count as felt: what resting nodes are given is cleared before it can matter.
+// The first pack of resting group g whose points reach nodes of a moving group on its right. On the
+// left there is none: a point gives to its own column of nodes and to the two on its right. Packs
+// that do not stand in order always count: the sums of resting nodes are made anew before they are
+// used.
 template <class Real>
 std::size_t first_felt(const Model<Real>& model, std::size_t g) {
   const PackGroup& group = model.packs.group[g];
@@ -179,6 +181,23 @@ void convert(const PackMotion<From>& from, PackMotion<To>& to) {
   }
 }
 
+template <class From, class To>
+void copy_group(const Packs<From>& packs, std::size_t g, Packs<To>& to) {
+  const PackGroup& of = packs.group[g];
+  make_room(to, g, to.held ? of.in_use : std::max(of.in_use, most_in_use(of.in_order)));
+  PackGroup& group = to.group[g];
+  group.in_use = of.in_use;
+  group.in_order = of.in_order;
+  group.points = of.points;
+  for (std::size_t i = 0; i < of.in_use; ++i) {
+    convert(packs.pack[of.first + i], to.pack[group.first + i]);
+    if (to.moves && packs.moves) convert(packs.motion[of.first + i], to.motion[group.first + i]);
+    to.place[group.first + i] = packs.place[of.first + i];
+    to.taken[group.first + i] = packs.taken[of.first + i];
+    to.strayed[group.first + i] = packs.strayed[of.first + i];
+  }
+}
+
 }  // namespace
 
 template <class Real>
@@ -188,6 +207,8 @@ Model<Real> empty_model(const GridSize& size, const LawTable& laws, const ModelS
   model.grid = make_grid<Real>(size, {.mass = settings.softer || settings.keeps_force,
                                       .force = settings.keeps_force,
                                       .averages = settings.averages});
+  model.packs.held = settings.held;
+  model.packs.moves = !settings.held || settings.averages;  // spans are spread from the motion
   take_laws(model, laws);
   return model;
 }
@@ -208,19 +229,11 @@ Model<To> converted(const Model<From>& from, const GridSize& size, const LawTabl
   Model<To> model = empty_model<To>(size, laws, settings);
   const Packs<From>& packs = from.packs;
   Packs<To>& to = model.packs;
+  begin_groups(to, model.grid);
   to.count = packs.count;
-  to.place = packs.place;
-  to.taken = packs.taken;
-  to.strayed = packs.strayed;
-  to.group = packs.group;
   to.column = packs.column;
-  to.pack.resize(packs.pack.size());
-  to.motion.resize(packs.motion.size());
-  for (std::size_t i = 0; i < packs.pack.size(); ++i) {
-    convert(packs.pack[i], to.pack[i]);
-    convert(packs.motion[i], to.motion[i]);
-  }
-  model.grid.top = from.grid.top;
+  for (std::size_t g = 0; g < packs.group.size(); ++g) copy_group(packs, g, to);
+  set_all_tops(to, model.grid);
   model.rest.assign(to.group.size(), GroupRest{});
   spread_all(model);
   return model;
@@ -261,7 +274,7 @@ template <class Real>
 StepSums step(Model<Real>& model, const StepSettings& settings, bool keep, ThreadTeam& team) {
   const bool decides =
       model.settings.rests && (++model.steps % steps_between_decisions == 0 || model.wakes);
-  model.kept = keep || decides || model.grid.averages();
+  model.kept = model.packs.moves && (keep || decides || model.grid.averages());
   StepSums sums;
   sums.grid = balance_nodes(model, settings, team);
   const std::vector<PointSums> points = update_points(model, settings, team);
@@ -280,10 +293,15 @@ StepSums step(Model<Real>& model, const StepSettings& settings, bool keep, Threa
 template <class Real>
 PointSums move_points(Model<Real>& model, const StepSettings& settings, bool keep,
                       ThreadTeam& team) {
-  model.kept = keep || model.grid.averages();
+  model.kept = model.packs.moves && (keep || model.grid.averages());
   PointSums sums;
   for (const PointSums& one : update_points(model, settings, team)) add(one, sums);
   return sums;
+}
+
+template <class Real>
+double steepest(Model<Real>& model) {
+  return model.kernel->steepest(model.packs, model.grid, 0, model.packs.pack.size());
 }
 
 template <class Real>
@@ -307,9 +325,10 @@ Balances transfer_balance(Model<Real>& model) {
   }
   for_each_point(model.packs, [&](std::size_t i, std::size_t l) {
     const auto m = static_cast<double>(model.packs.pack[i].mass[l]);
+    mass += m;
+    if (!model.packs.moves) return;
     const auto vx = static_cast<double>(model.packs.motion[i].vx[l]);
     const auto vz = static_cast<double>(model.packs.motion[i].vz[l]);
-    mass += m;
     x += m * vx;
     z += m * vz;
     size += m * std::hypot(vx, vz);
@@ -334,6 +353,7 @@ Balances transfer_balance(Model<Real>& model) {
   template void spread_anew(Model<Real>&);                                                  \
   template StepSums step(Model<Real>&, const StepSettings&, bool, ThreadTeam&);             \
   template PointSums move_points(Model<Real>&, const StepSettings&, bool, ThreadTeam&);     \
+  template double steepest(Model<Real>&);                                                   \
   template bool tidy_up(Model<Real>&);                                                      \
   template bool is_untidy(const Model<Real>&);                                              \
   template Balances transfer_balance(Model<Real>&);

@@ -17,6 +17,7 @@ struct ModelSettings {
   bool averages = false;  ///< dilation is averaged over spans (B-bar): nearly incompressible ground
   bool keeps_force = false;  ///< grid.force and its sums are kept
   bool rests = true;         ///< ground at rest is not stepped
+  bool held = false;         ///< points stay where they are: no reserve, and no motion that is kept
 };
 
 template <class Real>
@@ -61,7 +62,7 @@ void take_laws(Model<Real>& model, const LawTable& laws);
 
 /// Adds all points to the sums, in the order in which a step does; of ground at rest those that
 /// moving ground feels.
-/// @pre packs.motion holds their motion
+/// @pre packs.motion holds their motion, or the model is held
 template <class Real>
 void spread_all(Model<Real>& model);
 
@@ -85,6 +86,10 @@ GridSums balance_nodes(Model<Real>& model, const StepSettings& settings, ThreadT
 template <class Real>
 PointSums move_points(Model<Real>& model, const StepSettings& settings, bool keep,
                       ThreadTeam& team);
+
+/// Largest slope that the velocities of the nodes have at the points, 1/s.
+template <class Real>
+double steepest(Model<Real>& model);
 
 /// Puts every point into the cell it has moved to.
 /// @return false where a point has left the grid; nothing is changed then

@@ -21,14 +21,14 @@ struct PointAtHome {
 };
 
 template <class Real>
-PackedPoint<Real> take_point(const Pack<Real>& pack, const PackMotion<Real>& motion,
-                             std::size_t lane) {
+PackedPoint<Real> take_point(const Packs<Real>& packs, std::size_t i, std::size_t lane) {
+  const Pack<Real>& pack = packs.pack[i];
   PackedPoint<Real> p;
   for (std::size_t n = 0; n < p.number.size(); ++n) {
     p.number[n] = (pack.*point_numbers<Real>[n].lane)[lane];
   }
-  for (std::size_t n = 0; n < p.motion.size(); ++n) {
-    p.motion[n] = (motion.*motion_numbers<Real>[n].lane)[lane];
+  for (std::size_t n = 0; packs.moves && n < p.motion.size(); ++n) {
+    p.motion[n] = (packs.motion[i].*motion_numbers<Real>[n].lane)[lane];
   }
   p.law = pack.law[lane];
   p.id = pack.id[lane];
@@ -36,13 +36,13 @@ PackedPoint<Real> take_point(const Pack<Real>& pack, const PackMotion<Real>& mot
 }
 
 template <class Real>
-void put_point(const PackedPoint<Real>& p, Pack<Real>& pack, PackMotion<Real>& motion,
-               std::size_t lane) {
+void put_point(const PackedPoint<Real>& p, Packs<Real>& packs, std::size_t i, std::size_t lane) {
+  Pack<Real>& pack = packs.pack[i];
   for (std::size_t n = 0; n < p.number.size(); ++n) {
     (pack.*point_numbers<Real>[n].lane)[lane] = p.number[n];
   }
-  for (std::size_t n = 0; n < p.motion.size(); ++n) {
-    (motion.*motion_numbers<Real>[n].lane)[lane] = p.motion[n];
+  for (std::size_t n = 0; packs.moves && n < p.motion.size(); ++n) {
+    (packs.motion[i].*motion_numbers<Real>[n].lane)[lane] = p.motion[n];
   }
   pack.law[lane] = p.law;
   pack.id[lane] = p.id;

@@ -42,6 +42,8 @@ struct PackColumn {
 template <class Real>
 struct Packs {
   std::size_t count = 0;  ///< points
+  bool held = false;      ///< points stay in their cells: nothing is in reserve
+  bool moves = true;      ///< motion is kept; else `motion` is empty and stands for rest
   std::vector<Pack<Real>> pack;
   std::vector<PackPlace> place;
   std::vector<PackMotion<Real>> motion;

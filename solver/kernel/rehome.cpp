@@ -52,11 +52,10 @@ std::optional<std::vector<Stray>> find_strays(const Packs<Real>& packs, const Gr
 template <class Real>
 PointAtHome<Real> take_out(Packs<Real>& packs, const Stray& stray) {
   Pack<Real>& p = packs.pack[stray.pack];
-  PackMotion<Real>& motion = packs.motion[stray.pack];
   p.x[stray.lane] -= std::floor(p.x[stray.lane]);
   p.z[stray.lane] -= std::floor(p.z[stray.lane]);
-  const PackedPoint<Real> point = take_point(p, motion, stray.lane);
-  put_point(no_point<Real>(point.law), p, motion, stray.lane);
+  const PackedPoint<Real> point = take_point(packs, stray.pack, stray.lane);
+  put_point(no_point<Real>(point.law), packs, stray.pack, stray.lane);
   packs.strayed[stray.pack] = 0;
   packs.taken[stray.pack] = static_cast<LaneBits>(packs.taken[stray.pack] & ~bit(stray.lane));
   --packs.group[group_of(packs.place[stray.pack].column)].points;
@@ -115,7 +114,7 @@ void make_anew(Packs<Real>& packs, Grid<Real>& grid, std::size_t g) {
       if ((packs.taken[i] & bit(l)) == 0) continue;
       points.push_back(
           {{place.column, place.row + l % static_cast<std::uint32_t>(Pack<Real>::rows)},
-           take_point(packs.pack[i], packs.motion[i], l)});
+           take_point(packs, i, l)});
     }
   }
   fill_group(packs, grid, g, points);
@@ -129,7 +128,7 @@ void put_in(Packs<Real>& packs, Grid<Real>& grid, const PointAtHome<Real>& stray
     make_anew(packs, grid, g);
     to = take_from_reserve(packs, stray.home);
   }
-  put_point(stray.point, packs.pack[to->pack], packs.motion[to->pack], to->lane);
+  put_point(stray.point, packs, to->pack, to->lane);
   packs.taken[to->pack] = static_cast<LaneBits>(packs.taken[to->pack] | bit(to->lane));
   ++packs.group[g].points;
   raise_tops(packs, grid, stray.home);

@@ -11,8 +11,8 @@ namespace leda::solver {
 /// A group of columns rests once neither it nor a neighbour has yielded or held a point faster than
 /// `quiet_speed` for `quiet_time`. It wakes with the first step in which a neighbour does either,
 /// or once a neighbour's fastest point may have come `most_drift` of the group's width: the elastic
-/// strain the group has missed is below that. Between moving and resting ground there is
-/// so always a group that is stepped and quiet; a wave takes at least 24 steps to cross it.
+/// strain the group has missed is below that. So a group that is stepped and quiet always lies
+/// between moving and resting ground, and a wave takes at least 24 steps to cross it.
 /// Resting nodes have no velocity, resting points keep their stress and push on the nodes beside.
 struct GroupRest {
   static constexpr double quiet_speed = 0.02;  ///< m/s; a run is at rest below 0.05 m/s
@@ -31,7 +31,7 @@ struct GroupRest {
 bool observe(std::vector<GroupRest>& groups, const std::vector<PointSums>& points, double dt,
              double width);
 
-/// Wakes and lays to rest whom the observations say.
+/// Wakes the groups that must not rest any longer, and lays to rest those that may.
 /// @return whether anything changed
 bool decide(std::vector<GroupRest>& groups, double width);
 

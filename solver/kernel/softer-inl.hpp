@@ -1,5 +1,5 @@
-// Lower moduli of the ground that would limit the time step of all of it, once for each
-// instruction set.
+// Lower moduli where ground would limit the time step of the whole model, once for each instruction
+// set.
 
 #if defined(LEDA_SOLVER_SOFTER_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LEDA_SOLVER_SOFTER_INL

@@ -134,7 +134,11 @@ HWY_INLINE bool spread_packs(D d, Packs<Number<D>>& packs, Grid<Number<D>>& grid
   const auto per_h = static_cast<Number<D>>(1 / grid.h);
   bool inside = true;
   for (std::size_t i = first; i < last; ++i) {
-    const auto motion_of = [&](std::size_t l) { return load_motion(d, packs.motion[i], l); };
+    const auto motion_of = [&](std::size_t l) {
+      if (packs.moves) return load_motion(d, packs.motion[i], l);
+      const auto still = hn::Zero(d);
+      return Carried<D>{still, still, still, still, still, still};
+    };
     inside = (grid.averages() ? add_pack<true>(d, packs, i, grid, per_h, motion_of)
                               : add_pack<false>(d, packs, i, grid, per_h, motion_of)) &&
              inside;

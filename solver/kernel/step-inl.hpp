@@ -56,7 +56,7 @@ HWY_INLINE bool gather(D d, const Pack<Number<D>>& p, const PackPlace& place, st
   if (HWY_UNLIKELY(!hn::AllFalse(d, stray))) {
     inside = gather_strays(d, grid, place, l, stray, x, z, taken);
   }
-  // A lane without a point stays as it is: what nodes of next to no mass do must not reach it.
+  // A lane without a point takes nothing: velocities of nearly massless nodes must not reach it.
   const auto point = hn::Gt(mass, hn::Zero(d));
   if (!hn::AllTrue(d, point)) {
     for (auto* value : taken.all()) *value = hn::IfThenElseZero(point, *value);
@@ -280,6 +280,28 @@ HWY_INLINE void add_dilation(D d, const Packs<Number<D>>& packs, Grid<Number<D>>
       add_to_spans(d, grid.span_at(place.column, row), grid.stride, volume, own);
     }
   }
+}
+
+/// Kernel::steepest.
+template <class D>
+HWY_INLINE double steepest(D d, const Packs<Number<D>>& packs, Grid<Number<D>>& grid,
+                           std::size_t first, std::size_t last) {
+  auto most = hn::Zero(d);
+  for (std::size_t i = first; i < last; ++i) {
+    const auto& p = packs.pack[i];
+    const PackPlace& place = packs.place[i];
+    for (std::size_t l = 0; l < Pack<Number<D>>::lanes; l += hn::Lanes(d)) {
+      if (!any_of(d, packs.taken[i], l)) continue;
+      const std::size_t row = place.row + l % Pack<Number<D>>::rows;
+      const auto v = motion_at(d, grid.velocity_at(place.column, row), grid.stride,
+                               spline(d, hn::Load(d, p.x + l)), spline(d, hn::Load(d, p.z + l)));
+      const auto point = hn::Gt(hn::Load(d, p.mass + l), hn::Zero(d));
+      for (const auto slope : {v.lxx, v.lxz, v.lzx, v.lzz}) {
+        most = hn::Max(most, hn::IfThenElseZero(point, hn::Abs(slope)));
+      }
+    }
+  }
+  return static_cast<double>(hn::GetLane(hn::MaxOfLanes(d, most))) / grid.h;
 }
 
 /// Kernel::add_stress.

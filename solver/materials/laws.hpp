@@ -28,8 +28,8 @@ struct Laws {
   std::vector<Real> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
   ViscousRows<Real> viscous;
   bool softens = false;  ///< a row has a softening law
-  /// Whether ground that would limit the time step of all of it gets lower moduli: `thin` and
-  /// `strained` (solver/kernel/softer-inl.hpp).
+  /// Whether thin and strained ground, which would limit the time step of the whole model, gets
+  /// lower moduli (solver/kernel/softer-inl.hpp).
   bool softer = false;
 };
 

@@ -74,7 +74,7 @@ void transfer_model(Archive& archive, AnyModelOf& model) {
   archive("packs.group", packs.group);
   archive("packs.column", packs.column);
   archive("grid.top", model.grid.top);
-  archive("grid.mass", model.grid.mass);  // of ground at rest it is not found anew
+  archive("grid.mass", model.grid.mass);  // not computed anew where ground rests
   archive("model.strayed", model.strayed);
   archive("model.kept", model.kept);
   archive("model.rest", model.rest);

@@ -56,8 +56,10 @@ void fill(Frame& f, const Model<Real>& model, const Seeded& seeded) {
     const PointAt at = point_at(model.packs, i, l, model.grid.h);
     f.x[to] = static_cast<float>(at.x + seeded.origin_x);
     f.z[to] = static_cast<float>(at.z + seeded.origin_z);
-    f.velocity_x[to] = static_cast<float>(model.packs.motion[i].vx[l]);
-    f.velocity_z[to] = static_cast<float>(model.packs.motion[i].vz[l]);
+    if (model.packs.moves) {
+      f.velocity_x[to] = static_cast<float>(model.packs.motion[i].vx[l]);
+      f.velocity_z[to] = static_cast<float>(model.packs.motion[i].vz[l]);
+    }
     for (const auto& number : shown<Real>) {
       (f.*number.values)[to] = static_cast<float>((pack.*number.lane)[l]);
     }

@@ -86,15 +86,28 @@ std::optional<StageEnd> settle(RunState& run, const std::optional<Statics>& stat
   return {};
 }
 
+// Without the room above the ground, which nothing reaches while it is held.
+GridSize quiet_size(const Seeded& seeded) {
+  double highest = 0;
+  for (const Particle& p : seeded.particles) highest = std::max(highest, p.z);
+  GridSize size = seeded.size;
+  size.rows = std::min(size.rows, static_cast<std::size_t>(highest / size.h) + 6);
+  return size;
+}
+
 }  // namespace
 
 void begin_quiet(RunState& run) {
-  const ModelSettings settings{
-      .softer = false, .averages = run.seeded.averages, .keeps_force = true, .rests = false};
+  const ModelSettings settings{.softer = false,
+                               .averages = run.seeded.averages,
+                               .keeps_force = true,
+                               .rests = false,
+                               .held = true};
   // Seeds stand under the ground, so all of them lie on the grid.
   run.model =
-      make_model<double>(run.seeded.particles, run.seeded.size, run.seeded.laws, settings).value();
-  run.seeded.particles = {};
+      make_model<double>(run.seeded.particles, quiet_size(run.seeded), run.seeded.laws, settings)
+          .value();
+  Particles().swap(run.seeded.particles);  // an assignment would keep the memory
 }
 
 std::optional<StageEnd> find_initial_stress(RunState& run, QuietMethod method) {

@@ -19,9 +19,10 @@ const Real* lanes_of(const Packs<Real>& packs, std::size_t i, double Particle::*
     if (number.value == value) return packs.pack[i].*number.lane;
   }
   for (const auto& number : motion_numbers<Real>) {
-    if (number.value == value) return packs.motion[i].*number.lane;
+    if (number.value == value && packs.moves) return packs.motion[i].*number.lane;
   }
-  return nullptr;
+  static constexpr Real still[Pack<Real>::lanes] = {};
+  return still;
 }
 
 template <class Real>

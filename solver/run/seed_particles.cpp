@@ -65,6 +65,9 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
   const auto indices = material_indices(section);
   LawTableBuilder laws(section, h);
   std::mt19937_64 random(resolution.seed);
+  const std::size_t most = cells_x * cells_z * per_side * per_side;
+  seeded.particles.reserve(most);
+  seeded.start_x.reserve(most);
   for (std::size_t i = 0; i < cells_x * per_side; ++i) {
     const double x = (static_cast<double>(i) + 0.5) * seeded.spacing;
     const double ground = elevation_at(section.ground, x + seeded.origin_x) - section.base_m;

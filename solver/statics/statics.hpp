@@ -34,7 +34,7 @@ class Statics {
   /// Balanced: stress and plastic strain are the new ones. Otherwise the points are as they
   /// were. The sums of the grid have to be made anew in either case.
   /// @param interrupted asked once a round, may be empty
-  /// @pre the model's laws have no softening and no rate
+  /// @pre the model's laws have no softening and no rate; no point has plastic strain
   StaticBalance balance(Model<double>& model, ThreadTeam& team,
                         const std::function<bool()>& interrupted) const;
 
