@@ -19,7 +19,8 @@ void find_it(benchmark::State& state, QuietMethod method) {
     RunState run = bank.start();
     state.ResumeTiming();
     if (find_initial_stress(run, method)) state.SkipWithError("the stage did not end well");
-    state.counters["particles"] = static_cast<double>(run.seeded.particles.count);
+    state.counters["particles"] = static_cast<double>(
+        with_model(run.model, [](const auto& model) { return model.packs.count; }));
     state.counters["steps"] = static_cast<double>(run.steps);
   }
 }

@@ -1,6 +1,7 @@
 #include "tests/bench/sliding_bank.hpp"
 
 #include <map>
+#include <string>
 
 #include "solver/run/initial_stress.hpp"
 #include "solver/run/softening_stage.hpp"
@@ -18,18 +19,20 @@ Section long_bank() {
   return s;
 }
 
-Seeded run_for(double seconds) {
-  Bank bank;
+Seeded run_for(double seconds, const BankCase& how) {
+  Bank bank(how);
   bank.settings.stop.max_time_s = seconds;
   RunState run = bank.start();
   find_initial_stress(run);
+  begin_moving(run);
   if (seconds > 0) run_stage(run, StageClock::Stage::softening);
+  run.seeded.particles = particles_of(run.model);
   return run.seeded;
 }
 
 }  // namespace
 
-Bank::Bank() : section(long_bank()), settings(test::coarse()) {}
+Bank::Bank(const BankCase& how) : section(how.of(long_bank())), settings(test::coarse()) {}
 
 RunState Bank::start() const {
   RunState run;
@@ -38,15 +41,17 @@ RunState Bank::start() const {
   run.listener = &listener_;
   run.seeded = seed_particles(section, settings.resolution);
   run.bank = {section.ground[1], section.ground[2]};
-  run.ground = surface(run.seeded);
+  begin_quiet(run);
+  run.ground = surface(run.model, run.seeded);
   return run;
 }
 
-Seeded bank_after(double seconds) {
-  static std::map<double, Seeded> known;
-  const auto found = known.find(seconds);
-  if (found != known.end()) return found->second;
-  return known.emplace(seconds, run_for(seconds)).first->second;
+const Seeded& bank_after(double seconds, const BankCase& how) {
+  static std::map<std::pair<double, std::string>, Seeded> known;
+  const std::pair key(seconds, std::string(how.name));
+  const auto found = known.find(key);
+  return found != known.end() ? found->second
+                              : known.emplace(key, run_for(seconds, how)).first->second;
 }
 
 }  // namespace leda::solver::bench

@@ -2,6 +2,7 @@
 // The bank the benchmarks of the solver step.
 
 #include "solver/run/run_state.hpp"
+#include "tests/bench/bank_case.hpp"
 
 namespace leda::solver::bench {
 
@@ -9,7 +10,7 @@ namespace leda::solver::bench {
 /// clay, 150 m of plateau, 60 m of floor.
 class Bank {
  public:
-  Bank();
+  explicit Bank(const BankCase& how = bank_cases[0]);
   /// Seeded, before the initial stress is found. It refers to this object.
   RunState start() const;
 
@@ -20,7 +21,7 @@ class Bank {
   Listener listener_;
 };
 
-/// The bank `seconds` after softening is on; 0: at rest.
-Seeded bank_after(double seconds);
+/// The bank `seconds` after softening is on, with its particles; 0: at rest.
+const Seeded& bank_after(double seconds, const BankCase& how);
 
 }  // namespace leda::solver::bench

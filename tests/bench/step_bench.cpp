@@ -1,24 +1,20 @@
-// The step of the solver and its parts, packed and by the double reference, on one bank that still
-// stands and on the same bank five seconds into its slide. Times are of the processor, a particle
-// and step, ns.
+// The step of the solver and its parts, on a bank that still stands and on the same bank five
+// seconds into its slide: in both precisions, with AVX2 too where the processor has more, and for
+// each of bank_cases. Times are of the processor, a particle and step, ns.
 
 #include <benchmark/benchmark.h>
 
 #include <ctime>
+#include <string>
+#include <vector>
 
-#include "solver/kernel/packed_stage.hpp"
-#include "solver/kernel/sort_particles.hpp"
-#include "solver/kernel/time_step.hpp"
-#include "solver/run/initial_stress.hpp"
+#include "solver/kernel/pack_particles.hpp"
+#include "tests/bench/instruction_set.hpp"
 #include "tests/bench/sliding_bank.hpp"
 
 namespace {
 
 using namespace leda::solver;
-using leda::gravity;
-
-constexpr double damping = 0.02;
-constexpr int steps_between_sorts = 16;
 
 // Calls part() each iteration with its own processor time, which other work on the machine disturbs
 // less than the wall clock; the rest of a step stands outside of it.
@@ -45,110 +41,129 @@ class Timer {
   double seconds_ = 0;
 };
 
-StepSettings settings_of(const Seeded& seeded) {
-  return {time_step(seeded.grid.h, seeded.laws.stiffest_speed, 3.0, 0.5), gravity, damping, true};
-}
+// The bank, `seconds` into its slide, as a model of its own.
+template <class Real>
+struct Stepped {
+  const Seeded& seeded;
+  Model<Real> model;
+  StepSettings settings;
+  ThreadTeam team{1};
 
-void update_all(PackedStage& stage, const StepSettings& settings) {
-  update_columns(stage.grid, {settings.dt, settings.gravity, settings.damping}, 1,
-                 stage.grid.columns - 1);
-}
+  Stepped(double seconds, const bench::BankCase& how)
+      : seeded(bench::bank_after(seconds, how)),
+        model(
+            make_model<Real>(seeded.particles, seeded.size, seeded.laws, how.model_settings(seeded))
+                .value()),
+        settings(how.step_settings(seeded)) {}
 
-void update_points(PackedStage& stage, double dt) {
-  for (const PackGroup& group : stage.packs.group) {
-    stage.strayed +=
-        step_packs(stage.packs, stage.grid, stage.laws, dt, false, group.first, group.end())
-            .strayed;
+  double points() const { return static_cast<double>(model.packs.count); }
+  void tidy() {
+    if (is_untidy(model)) tidy_up(model);
   }
-}
+  void update_nodes() { balance_nodes(model, settings, team); }
+  void update_points() { move_points(model, settings, false, team); }
+};
 
-void reference_step(benchmark::State& state) {
-  Seeded s = bench::bank_after(static_cast<double>(state.range(0)));
-  const StepSettings settings = settings_of(s);
-  int since = 0;
+template <class Real>
+void whole_step(benchmark::State& state, const bench::BankCase& how, const std::string& target) {
+  if (!bench::use_instructions(target)) return state.SkipWithError("no such instruction set");
+  Stepped<Real> bank(static_cast<double>(state.range(0)), how);
   Timer(state).run(
-      static_cast<double>(s.particles.count),
+      bank.points(),
       [&] {
-        if (since++ % steps_between_sorts == 0) sort_particles(s.particles, s.grid);
-        benchmark::DoNotOptimize(step(s.particles, s.grid, s.laws, settings));
-      },
-      [] {});
-}
-BENCHMARK(reference_step)->Arg(0)->Arg(5)->UseManualTime();
-
-void packed_step(benchmark::State& state) {
-  const Seeded s = bench::bank_after(static_cast<double>(state.range(0)));
-  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
-  const StepSettings settings = settings_of(s);
-  Team team(1);
-  bool left = false;
-  Timer(state).run(
-      static_cast<double>(s.particles.count),
-      [&] {
-        if (is_untidy(*stage)) tidy_up(*stage);
-        benchmark::DoNotOptimize(step(*stage, settings, false, team, left));
+        bank.tidy();
+        benchmark::DoNotOptimize(step(bank.model, bank.settings, false, bank.team));
       },
       [] {});
   std::size_t packs = 0;
-  for (const PackGroup& group : stage->packs.group) packs += group.in_use;
-  state.counters["points_per_pack"] =
-      static_cast<double>(stage->packs.count) / static_cast<double>(packs);
+  for (const PackGroup& group : bank.model.packs.group) packs += group.in_use;
+  state.counters["points_per_pack"] = bank.points() / static_cast<double>(packs);
 }
-BENCHMARK(packed_step)->Arg(0)->Arg(5)->UseManualTime();
 
-void packed_points(benchmark::State& state) {
-  const Seeded s = bench::bank_after(static_cast<double>(state.range(0)));
-  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
-  const StepSettings settings = settings_of(s);
+template <class Real>
+void points_alone(benchmark::State& state) {
+  Stepped<Real> bank(static_cast<double>(state.range(0)), bench::bank_cases[0]);
   const auto nodes = [&] {
-    update_all(*stage, settings);
-    if (is_untidy(*stage)) tidy_up(*stage);
+    bank.update_nodes();
+    bank.tidy();
   };
   nodes();
   Timer(state).run(
-      static_cast<double>(s.particles.count), [&] { update_points(*stage, settings.dt); }, nodes);
+      bank.points(), [&] { bank.update_points(); }, nodes);
 }
-BENCHMARK(packed_points)->Arg(0)->Arg(5)->UseManualTime();
 
-void packed_nodes(benchmark::State& state) {
-  const Seeded s = bench::bank_after(0);
-  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
-  const StepSettings settings = settings_of(s);
+template <class Real>
+void nodes_alone(benchmark::State& state) {
+  Stepped<Real> bank(0, bench::bank_cases[0]);
   Timer(state).run(
-      static_cast<double>(s.particles.count), [&] { update_all(*stage, settings); },
-      [&] { update_points(*stage, settings.dt); });
+      bank.points(), [&] { bank.update_nodes(); }, [&] { bank.update_points(); });
 }
-BENCHMARK(packed_nodes)->UseManualTime();
 
+template <class Real>
 void packing(benchmark::State& state) {
-  const Seeded s = bench::bank_after(5);
-  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
+  Stepped<Real> bank(5, bench::bank_cases[0]);
   Timer(state).run(
-      static_cast<double>(s.particles.count), [&] { pack(s.particles, stage->grid, stage->packs); },
+      bank.points(), [&] { pack(bank.seeded.particles, bank.model.grid, bank.model.packs); },
       [] {});
 }
-BENCHMARK(packing)->UseManualTime();
 
+template <class Real>
 void rehoming(benchmark::State& state) {
-  const Seeded s = bench::bank_after(5);
-  auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
-  const StepSettings settings = settings_of(s);
+  Stepped<Real> bank(5, bench::bank_cases[0]);
   Timer(state).run(
-      static_cast<double>(s.particles.count), [&] { tidy_up(*stage); },
+      bank.points(), [&] { tidy_up(bank.model); },
       [&] {
-        update_all(*stage, settings);
-        update_points(*stage, settings.dt);
+        bank.update_nodes();
+        bank.update_points();
       });
 }
-BENCHMARK(rehoming)->UseManualTime();
 
+template <class Real>
 void unpacking(benchmark::State& state) {
-  Seeded s = bench::bank_after(5);
-  const auto stage = begin_packed_stage(s.particles, s.grid, s.laws);
+  const Stepped<Real> bank(5, bench::bank_cases[0]);
   Timer(state).run(
-      static_cast<double>(s.particles.count),
-      [&] { unpack(stage->packs, stage->grid, s.particles); }, [] {});
+      bank.points(),
+      [&] { benchmark::DoNotOptimize(unpack(bank.model.packs, bank.seeded.size.h)); }, [] {});
 }
-BENCHMARK(unpacking)->UseManualTime();
+
+// The widest instruction set of this processor, and AVX2.
+std::vector<std::string> instruction_sets() {
+  std::vector<std::string> names{bench::name_of(hwy::SupportedAndGeneratedTargets().front())};
+  if (names.front() != "avx2" && bench::use_instructions("avx2")) names.emplace_back("avx2");
+  hwy::DisableTargets(0);
+  return names;
+}
+
+template <class Real>
+void enroll(const std::string& precision) {
+  for (const std::string& target : instruction_sets()) {
+    for (const bench::BankCase& how : bench::bank_cases) {
+      const std::string name = "step/" + target + "/" + precision + "/" + how.name;
+      benchmark::RegisterBenchmark(name.c_str(), whole_step<Real>, how, target)
+          ->Arg(0)
+          ->Arg(5)
+          ->UseManualTime();
+    }
+  }
+  const auto part = [&](const char* name, void (*function)(benchmark::State&)) {
+    const auto measured = [function](benchmark::State& state) {
+      hwy::DisableTargets(0);
+      function(state);
+    };
+    return benchmark::RegisterBenchmark((std::string(name) + "/" + precision).c_str(), measured)
+        ->UseManualTime();
+  };
+  part("points", points_alone<Real>)->Arg(0)->Arg(5);
+  part("nodes", nodes_alone<Real>);
+  part("packing", packing<Real>);
+  part("rehoming", rehoming<Real>);
+  part("unpacking", unpacking<Real>);
+}
+
+[[maybe_unused]] const bool enrolled = [] {
+  enroll<float>("single");
+  enroll<double>("double");
+  return true;
+}();
 
 }  // namespace

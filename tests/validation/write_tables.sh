@@ -40,6 +40,8 @@ CREATE VIEW shown AS SELECT runs.rowid AS place, results."group" AS grp, results
     || CASE WHEN note LIKE '%front reached%' THEN 'front at the edge; ' ELSE '' END
     || CASE WHEN note LIKE '%far bank%' THEN 'far bank slid; ' ELSE '' END, '; ') AS warnings
 FROM results JOIN runs ON runs.grp = results."group" AND runs.name = results.name;
+CREATE VIEW found AS SELECT test, measured
+  || CASE outcome WHEN 'passed' THEN '' ELSE ' (' || outcome || ')' END AS found FROM measured;
 SQL
 sed -i "s|PATH|$scratch|" "$scratch/views.sql"
 ask() { sqlite3 -init "$scratch/views.sql" :memory: "$1" 2>&1; }
@@ -58,10 +60,12 @@ rows_of() {
     machines) ask "SELECT '| ' || \"commit\" || ' | ' || date || ' | ' || machine || ' | ' || at_a_time || ' | '
         || count(*) || ' |' FROM results GROUP BY \"commit\", date, machine, at_a_time ORDER BY date, \"commit\"" ;;
     verification) ask "SELECT '| ' || title || ' | ' || source || ' | ' || exact || ' | ' || tolerance || ' | '
-        || coalesce(measured, '') || CASE WHEN coalesce(outcome, 'passed') = 'passed' THEN '' ELSE ' (' || outcome || ')' END
-        || ' | ' || CASE WHEN program = '-' THEN test
-          ELSE '\`' || test || '\`' || CASE WHEN program LIKE '%_long' THEN ' (long)' ELSE '' END END || ' |'
-      FROM cases LEFT JOIN measured USING (test) ORDER BY cases.rowid" ;;
+        || coalesce(single.found, '') || ' | ' || coalesce(double.found, '')
+        || ' | ' || CASE WHEN program = '-' THEN cases.test
+          ELSE '\`' || cases.test || '\`' || CASE WHEN program LIKE '%_long' THEN ' (long)' ELSE '' END END || ' |'
+      FROM cases LEFT JOIN found AS single ON cases.test LIKE '%/*%' AND single.test = replace(cases.test, '/*', '/single')
+        LEFT JOIN found AS double ON double.test = replace(cases.test, '/*', '/double')
+      ORDER BY cases.rowid" ;;
     check) ask "SELECT '| \`' || name || '\` | ' || extreme || ' | '
         || status || CASE WHEN name LIKE 'time-step-2.5' AND status = 'unstable' THEN ', as it must' ELSE '' END || ' | '
         || CASE WHEN critical_stability_number <> '' THEN printf('gH/su %.2f', critical_stability_number)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/run/simulate.hpp"
+#include "tests/verification/precision.hpp"
 #include "tests/verification/record.hpp"
 
 namespace leda::solver::test {
@@ -43,8 +44,12 @@ Section slope() {
   return s;
 }
 
-TEST(DelCastillo, RunoutAndRetrogressionOfTheirSlope) {
-  RunSettings settings;
+template <class Real>
+class DelCastillo : public ::testing::Test {};
+TYPED_TEST_SUITE(DelCastillo, BothPrecisions, PrecisionNames);
+
+TYPED_TEST(DelCastillo, RunoutAndRetrogressionOfTheirSlope) {
+  RunSettings settings = settings_in<TypeParam>();
   settings.resolution.cell_m = 0.1;
   settings.stop.max_time_s = 20;
   const SectionResult r = simulate(slope(), settings);

@@ -5,6 +5,7 @@
 
 #include "solver/run/simulate.hpp"
 #include "tests/element/table.hpp"
+#include "tests/verification/precision.hpp"
 #include "tests/verification/record.hpp"
 
 namespace leda::solver::test {
@@ -40,8 +41,9 @@ Section slope(double peak_kPa, double remolded_kPa, double eta) {
   return s;
 }
 
+template <class Real>
 SectionResult run(double peak_kPa, double remolded_kPa, double eta) {
-  RunSettings settings;
+  RunSettings settings = settings_in<Real>();
   settings.resolution.cell_m = 0.3;
   settings.stop.max_time_s = 60;
   settings.trigger = UndrainedTrigger{3.0};
@@ -83,6 +85,7 @@ double rank_correlation(const std::vector<double>& a, const std::vector<double>&
   return xy / std::sqrt(xx * yy);
 }
 
+template <class Real>
 class TableOfTheAppendix : public ::testing::Test {
  protected:
   // Every row of the table is run once, for all tests.
@@ -92,7 +95,7 @@ class TableOfTheAppendix : public ::testing::Test {
       const double peak = row["peak_kPa"], remolded = row["remolded_kPa"],
                    eta = row["shape_factor"];
       rows.push_back({peak, remolded, eta, length(row.text("L_R_m")), length(row.text("L_O_m")),
-                      run(peak, remolded, eta)});
+                      run<Real>(peak, remolded, eta)});
     }
   }
 
@@ -111,12 +114,13 @@ class TableOfTheAppendix : public ::testing::Test {
 
   static inline std::vector<Compared> rows;
 };
+TYPED_TEST_SUITE(TableOfTheAppendix, BothPrecisions, PrecisionNames);
 
 // Among 17 pairs chance alone gives a rank correlation above 0.58 once in a hundred times.
-TEST_F(TableOfTheAppendix, RowsStandInThePublishedOrder) {
+TYPED_TEST(TableOfTheAppendix, RowsStandInThePublishedOrder) {
   std::vector<double> back, forward, published_back, published_forward;
   int within = 0;
-  for (const Compared& r : rows) {
+  for (const Compared& r : this->rows) {
     back.push_back(r.found.crest_to_crest_retrogression_m);
     forward.push_back(r.found.runout_from_crest_m);
     published_back.push_back(r.published_back);
@@ -128,25 +132,25 @@ TEST_F(TableOfTheAppendix, RowsStandInThePublishedOrder) {
   const double of_back = rank_correlation(back, published_back);
   const double of_forward = rank_correlation(forward, published_forward);
   leda::test::record("rank correlation of L_R ", of_back, ", of L_O ", of_forward, "; ", within,
-                     " of ", rows.size(), " rows within 35 % in both");
+                     " of ", this->rows.size(), " rows within 35 % in both");
   EXPECT_GT(of_back, 0.58);
   EXPECT_GT(of_forward, 0.58);
 }
 
 // L_R > 20, 10.8 m; L_O > 35, 24.5 m.
-TEST_F(TableOfTheAppendix, LessRemoldedStrengthGoesFurther) {
-  expect_longer(of(30, 1.0, 65), of(30, 3.2, 65));
+TYPED_TEST(TableOfTheAppendix, LessRemoldedStrengthGoesFurther) {
+  this->expect_longer(this->of(30, 1.0, 65), this->of(30, 3.2, 65));
 }
 
 // L_R 17.5, 10.7 m; L_O 26.8, 24.6 m.
-TEST_F(TableOfTheAppendix, LessPeakStrengthGoesFurther) {
-  expect_longer(of(19, 2.8, 45), of(28, 2.8, 45));
+TYPED_TEST(TableOfTheAppendix, LessPeakStrengthGoesFurther) {
+  this->expect_longer(this->of(19, 2.8, 45), this->of(28, 2.8, 45));
 }
 
 // L_R 4.0, 11.2, 18.4 m; L_O 23.8, 25, 28.0 m.
-TEST_F(TableOfTheAppendix, MoreBrittleClayGoesFurther) {
-  expect_longer(of(25, 3.0, 40), of(25, 3.0, 20));
-  expect_longer(of(25, 3.0, 90), of(25, 3.0, 40));
+TYPED_TEST(TableOfTheAppendix, MoreBrittleClayGoesFurther) {
+  this->expect_longer(this->of(25, 3.0, 40), this->of(25, 3.0, 20));
+  this->expect_longer(this->of(25, 3.0, 90), this->of(25, 3.0, 40));
 }
 
 }  // namespace

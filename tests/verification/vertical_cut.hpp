@@ -4,6 +4,7 @@
 #include <string>
 
 #include "solver/run/simulate.hpp"
+#include "tests/verification/precision.hpp"
 
 namespace leda::solver::test {
 
@@ -30,8 +31,9 @@ inline Section vertical_cut(double stability_number, double poisson_ratio = 0.45
 }
 
 /// Whether the cut finds no balance, or moves by more than the surface's threshold.
-inline bool cut_fails(double stability_number, double cell, double poisson_ratio = 0.45) {
-  RunSettings settings;
+template <class Real>
+bool cut_fails(double stability_number, double cell, double poisson_ratio = 0.45) {
+  RunSettings settings = settings_in<Real>();
   settings.resolution.cell_m = cell;
   settings.stop.max_time_s = 15;
   const SectionResult r = simulate(vertical_cut(stability_number, poisson_ratio), settings);
