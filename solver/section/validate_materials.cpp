@@ -39,7 +39,7 @@ void check_strength(const Strength& strength, const std::string& at, FaultList& 
 double sound_peak_kPa(const Strength& peak) {
   if (peak.by != Strength::By::constant && peak.table.empty()) return INFINITY;
   const double smallest = peak.smallest() / kilo;
-  return smallest > 0 ? smallest : double{INFINITY};
+  return smallest > 0 ? smallest : INFINITY;
 }
 
 /// One softening law of a material whose smallest peak strength is `peak` kPa.
