@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 
-#include "solver/section/frame.hpp"
 #include "db/hdf5_handle.hpp"
 #include "db/result_file.hpp"
+#include "solver/section/frame.hpp"
 #include "solver/section/validate.hpp"
 
 namespace leda::db {

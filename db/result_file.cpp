@@ -5,9 +5,9 @@
 #include <cstring>
 #include <limits>
 
-#include "solver/section/frame.hpp"
 #include "db/hdf5_handle.hpp"
 #include "db/new_file.hpp"
+#include "solver/section/frame.hpp"
 
 namespace leda::db {
 

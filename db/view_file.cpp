@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "solver/section/frame.hpp"
 #include "db/new_file.hpp"
+#include "solver/section/frame.hpp"
 
 namespace leda::db {
 

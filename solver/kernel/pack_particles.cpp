@@ -68,7 +68,8 @@ bool pack(const Particles& particles, Grid<Real>& grid, Packs<Real>& packs) {
   }
   begin_groups(packs, grid);
   packs.count = particles.size();
-  // Packs hold 13 points of ground that has not flowed; growing as needed would take twice the room.
+  // Packs hold 13 points of ground that has not flowed; growing as needed would take twice the
+  // room.
   const std::size_t likely = particles.size() / 13 * (packs.held ? 21 : 25) / 20;
   packs.pack.reserve(likely);
   if (packs.moves) packs.motion.reserve(likely);

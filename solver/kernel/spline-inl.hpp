@@ -181,14 +181,17 @@ HWY_INLINE void add_to_nodes(D d, Number<D>* sums, std::size_t stride, const Spl
     const auto fxx = sx * p.fxx, fxz = wx * p.fxz, fzx = sx * p.fxz, fzz = wx * p.fzz;
     for (std::size_t j = 0; j < Values::planes; ++j) {
       const auto wz = z.w[j], wdz = z.wd[j], sz = z.s[j];
-      const auto add = [&](typename Values::Value value, hn::Vec<D> given) {
-        add_to_rows(d, given, sums + (value * Values::planes + j) * stride);
+      Number<D>* to = sums + j * stride;
+      // In the order of Grid::Value.
+      const auto add = [&](hn::Vec<D> given) {
+        add_to_rows(d, given, to);
+        to += Values::planes * stride;
       };
-      add(Values::mass_sum, wz * mass);
-      add(Values::momentum_x, hn::MulAdd(wdz, pxz, wz * px));
-      add(Values::momentum_z, hn::MulAdd(wdz, pzz, wz * pz));
-      add(Values::force_x, hn::MulAdd(sz, fxz, wz * fxx));
-      add(Values::force_z, hn::MulAdd(sz, fzz, wz * fzx));
+      add(wz * mass);
+      add(hn::MulAdd(wdz, pxz, wz * px));
+      add(hn::MulAdd(wdz, pzz, wz * pz));
+      add(hn::MulAdd(sz, fxz, wz * fxx));
+      add(hn::MulAdd(sz, fzz, wz * fzx));
     }
     sums += Values::values * Values::planes * stride;
   }

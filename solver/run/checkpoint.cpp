@@ -186,7 +186,8 @@ bool load_state(const std::string& bytes, RunState& run) {
   reader("laws", rows);
   reader("double", is_double);
   reader("warnings", warnings);
-  if (!reader.good() || rows != run.seeded.laws.rows() || is_double != (run.settings->precision == Precision::double_precision)) {
+  if (!reader.good() || rows != run.seeded.laws.rows() ||
+      is_double != (run.settings->precision == Precision::double_precision)) {
     return false;
   }
   RunState read = run;

@@ -94,8 +94,9 @@ TEST(HouseRules, AnIncludeFromItsOwnFolderIsNoticed) {
   SourceTree tree = with("solver/kernel/grid.hpp", "");
   tree["solver/materials/a.hpp"] = "";
   EXPECT_EQ(wrong_directions(with("solver/kernel/step.cpp", include("grid.hpp"), tree)).size(), 1U);
-  EXPECT_EQ(wrong_directions(with("solver/materials/b.cpp", include("../kernel/grid.hpp"), tree)).size(),
-            1U);
+  EXPECT_EQ(
+      wrong_directions(with("solver/materials/b.cpp", include("../kernel/grid.hpp"), tree)).size(),
+      1U);
   EXPECT_TRUE(
       wrong_directions(with("solver/kernel/step.cpp", include("solver/kernel/grid.hpp"), tree))
           .empty());

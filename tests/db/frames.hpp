@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "solver/section/frame.hpp"
-#include "solver/section/frame.hpp"
 
 namespace leda::db::samples {
 

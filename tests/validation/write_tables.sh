@@ -101,7 +101,7 @@ written() {
 }
 
 stale=0
-for page in README.md ../verification/README.md ../../solver/README.md; do
+for page in README.md ../verification/README.md ../../solver/measurements.md; do
   written "$page" >"$scratch/page"
   if [[ ${1:-} == --check ]]; then
     diff -u "$page" "$scratch/page" >&2 || stale=1

@@ -77,7 +77,8 @@ TEST_F(Parameterized, NoParameterIsGivenTwice) {
   for (const Route& route : routes()) {
     const auto names = names_of(route.parameters);
     if (names.empty()) continue;
-    const auto answer = ask(route, names[0] + "=json&" + names[0] + "=json");
+    // In other words: cpp-httplib drops a pair that stands there twice, which says nothing twofold.
+    const auto answer = ask(route, names[0] + "=json&" + names[0] + "=html");
     expect_problem(answer, 400, std::string(route.path));
     EXPECT_NE(answer->body.find("given more than once: " + names[0]), std::string::npos)
         << answer->body;
