@@ -12,10 +12,10 @@
 namespace leda::solver {
 namespace {
 
-std::string cell(const char* format, const std::optional<double>& value) {
+std::string cell(int decimals, const std::optional<double>& value) {
   if (!value) return "refused";
   char text[32];
-  std::snprintf(text, sizeof text, format, *value);
+  std::snprintf(text, sizeof text, "%.*f", decimals, *value);
   return text;
 }
 
@@ -33,15 +33,14 @@ std::string line_of(std::size_t i) {
   const Analytics a = analyse(site);
   std::ostringstream line;
   line << "| " << site_row.text("site") << " | " << energy_row.text("remolding_energy") << " | "
-       << cell("%.2f", *a.remolding.thesis_reading / 1000) << " | "
-       << cell("%.2f", *a.remolding.complete_curve / 1000) << " | "
-       << cell("%.2f", *a.remolding.leroueil / 1000) << " | "
-       << cell("%.2f", *a.remolding.linear / 1000) << " | " << distance_row.text("observed")
-       << " | " << printed(distance_row, "eq_3_22") << " | "
-       << cell("%.1f", a.retrogression.urmi_2023_thesis) << " | "
-       << cell("%.1f", a.retrogression.urmi_2023_corrected);
+       << cell(2, *a.remolding.thesis_reading / 1000) << " | "
+       << cell(2, *a.remolding.complete_curve / 1000) << " | "
+       << cell(2, *a.remolding.leroueil / 1000) << " | " << cell(2, *a.remolding.linear / 1000)
+       << " | " << distance_row.text("observed") << " | " << printed(distance_row, "eq_3_22")
+       << " | " << cell(1, a.retrogression.urmi_2023_thesis) << " | "
+       << cell(1, a.retrogression.urmi_2023_corrected);
   if (const auto& range = a.retrogression.urmi_2023_corrected_range) {
-    line << " (" << cell("%.0f", range->at(0)) << " to " << cell("%.0f", range->at(1)) << ")";
+    line << " (" << cell(0, range->at(0)) << " to " << cell(0, range->at(1)) << ")";
   }
   line << " |";
   return line.str();
