@@ -84,6 +84,34 @@ INSTANTIATE_TEST_SUITE_P(Rooms, WrongDirection,
                                            Wrong{"server/main.cpp", "deploy/demo/dem.hpp"},
                                            Wrong{"deploy/demo/dem.cpp", "profiles/dem.hpp"}));
 
+TEST(HouseRules, AnArrowBackBetweenRoomsOfTheSolverIsNoticed) {
+  const std::vector<Wrong> wrong = {{"solver/materials/a.cpp", "solver/kernel/grid.hpp"},
+                                    {"solver/kernel/a.cpp", "solver/statics/statics.hpp"},
+                                    {"solver/statics/a.cpp", "solver/run/audit.hpp"},
+                                    {"solver/screening/a.cpp", "solver/kernel/grid.hpp"},
+                                    {"solver/element_test/a.cpp", "solver/run/simulate.hpp"},
+                                    {"solver/section/a.cpp", "solver/materials/softening.hpp"}};
+  for (const auto& [file, target] : wrong) {
+    const auto found = wrong_directions_in_solver(with(file, "// a line\n" + include(target)));
+    ASSERT_EQ(found.size(), 1U) << file << " includes " << target;
+    EXPECT_EQ(found[0].line, 2);
+  }
+  EXPECT_EQ(wrong_directions_in_solver(with("solver/cellar/a.cpp", "")).size(), 1U);
+}
+
+TEST(HouseRules, HeadersThatIncludeEachOtherAreNoticed) {
+  SourceTree tree = with("solver/run/a.hpp", include("solver/run/b.hpp"));
+  tree["solver/run/b.hpp"] = include("solver/run/c.hpp");
+  tree["solver/run/c.cpp"] = include("solver/run/a.hpp");
+  tree["solver/run/c.hpp"] = "";
+  EXPECT_TRUE(circles(tree).empty());
+  tree["solver/run/c.hpp"] = include("solver/run/a.hpp");
+  const auto found = circles(tree);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found[0].what.find("solver/run/a.hpp > solver/run/b.hpp > solver/run/c.hpp > "),
+            std::string::npos);
+}
+
 TEST(HouseRules, BracketsAndSpacesDoNotHideAnInclude) {
   EXPECT_EQ(wrong_directions(with("solver/a.cpp", "#include <db/store.hpp>\n")).size(), 1U);
   EXPECT_EQ(wrong_directions(with("solver/a.cpp", "  #  include \"db/store.hpp\"\n")).size(), 1U);

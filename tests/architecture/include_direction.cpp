@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 
 #include "tests/architecture/house_rules.hpp"
 
@@ -15,6 +16,29 @@ const std::vector<std::string>& may_include(const std::string& room) {
       {"tests", {"tests/", "server/", "db/", "profiles/", "solver/", "deploy/"}},
       {"deploy", {}}};
   return doors.at(room);
+}
+
+// The rooms inside solver/ (solver/README.md, "Rooms"): what each may include beside itself.
+const std::map<std::string, std::vector<std::string>>& rooms_of_the_solver() {
+  static const std::map<std::string, std::vector<std::string>> doors = {
+      {"section", {}},
+      {"materials", {"section"}},
+      {"kernel", {"section", "materials"}},
+      {"statics", {"section", "materials", "kernel"}},
+      {"run", {"section", "materials", "kernel", "statics"}},
+      {"extremes", {"section", "run"}},
+      {"study", {"section"}},
+      {"screening", {"section"}},
+      {"element_test", {"section", "materials", "kernel"}}};
+  return doors;
+}
+
+// "kernel" of solver/kernel/step.hpp; empty for a file that stands in no room of the solver.
+std::string solver_room_of(const std::string& path) {
+  const std::string start = "solver/";
+  const auto end = path.find('/', start.size());
+  if (!path.starts_with(start) || end == std::string::npos) return "";
+  return path.substr(start.size(), end - start.size());
 }
 
 bool starts_with_one_of(const std::string& path, const std::vector<std::string>& starts) {
@@ -38,6 +62,34 @@ bool is_written_from_its_folder(const SourceTree& tree, const std::string& file,
   return tree.contains(beside) && !tree.contains(target);
 }
 
+// Headers that `file` leads to, depth first; a breach for every way back to a header on the path.
+class CircleSearch {
+ public:
+  explicit CircleSearch(const SourceTree& tree) : tree_(tree) {}
+
+  void from(const std::string& file) {
+    if (std::ranges::find(path_, file) != path_.end()) return circle(file);
+    const auto entry = tree_.find(file);
+    if (entry == tree_.end() || !file.ends_with(".hpp") || !seen_.insert(file).second) return;
+    path_.push_back(file);
+    for (const Include& include : includes_of(entry->second)) from(include.target);
+    path_.pop_back();
+  }
+
+  std::vector<Breach> found;
+
+ private:
+  void circle(const std::string& file) {
+    std::string way;
+    for (auto at = std::ranges::find(path_, file); at != path_.end(); ++at) way += *at + " > ";
+    found.push_back({path_.back(), 0, "headers include each other: " + way + file});
+  }
+
+  const SourceTree& tree_;
+  std::vector<std::string> path_;
+  std::set<std::string> seen_;
+};
+
 }  // namespace
 
 std::vector<Breach> wrong_directions(const SourceTree& tree) {
@@ -56,6 +108,36 @@ std::vector<Breach> wrong_directions(const SourceTree& tree) {
     }
   }
   return found;
+}
+
+std::vector<Breach> wrong_directions_in_solver(const SourceTree& tree) {
+  std::vector<Breach> found;
+  for (const auto& [file, text] : tree) {
+    const std::string room = solver_room_of(file);
+    if (!is_cpp(file) || room.empty()) continue;
+    const auto doors = rooms_of_the_solver().find(room);
+    if (doors == rooms_of_the_solver().end()) {
+      found.push_back({file, 0, "solver/" + room + "/ is no room of the solver"});
+      continue;
+    }
+    for (const Include& include : includes_of(text)) {
+      const std::string other = solver_room_of(include.target);
+      if (other.empty() || other == room) continue;
+      if (std::ranges::find(doors->second, other) == doors->second.end()) {
+        found.push_back(
+            {file, include.line, "solver/" + room + "/ may not include " + include.target});
+      }
+    }
+  }
+  return found;
+}
+
+std::vector<Breach> circles(const SourceTree& tree) {
+  CircleSearch search(tree);
+  for (const auto& [file, text] : tree) {
+    if (!room_of(file).empty()) search.from(file);
+  }
+  return search.found;
 }
 
 std::vector<Breach> porches_with_walls(const SourceTree& tree) {
