@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The benchmarks, with the release build: one table of times (of the processor, the best of several
-# repetitions), how many times the packed step is faster than the double reference of the same run,
+# repetitions), how many times a step in single precision is faster than the same in double,
 # and instructions of the kernels by callgrind (AVX2).
 #   deploy/bench.sh          a few minutes; results also in build/bench/
 #   deploy/bench.sh --write  also keeps the instructions in tests/bench/instructions.csv
@@ -54,14 +54,14 @@ jq -rs '
   | (map({(.name): .value}) | add) as $best
   | def digits: if type == "number" then (. * 100 | round / 100 | tostring) else . end;
   .[] | [.name, (.value | digits), .unit,
-         (if .name | startswith("packed_step/") then
-            ($best[.name | sub("packed"; "reference")] / .value | digits) else "" end)]
+         (if .name | test("^step/[^/]+/single/") then
+            ($best[.name | sub("/single/"; "/double/")] / .value | digits) else "" end)]
   | @tsv' $(printf "$out/%s.json " "${programs[@]}") >"$out/times.tsv"
 
 echo
 echo "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1), load $(cut -d' ' -f1-3 /proc/loadavg)"
 {
-  printf 'name\ttime\tunit\treference/packed\n'
+  printf 'name\ttime\tunit\tdouble/single\n'
   cat "$out/times.tsv"
   awk -F, -v OFS='\t' 'FNR > 1 && NF == 2 { print $1, $2, "instructions/point", "" }' \
     "$out/instructions.csv"

@@ -79,7 +79,7 @@ void add_stiffness(std::vector<ExtremeCase>& suite) {
   floor.section.materials["rock"] = rock;
   floor.section.layers = {Layer{"clay", {}, 0.0, {}, {}}, Layer{"rock", {}, {}, {}, {}}};
   // Not at rest in time: the slide creeps at 0.1 m/s
-  // (solver/README.md, Stability).
+  // (solver/measurements.md, "Stability").
   floor.promise.statuses.push_back(RunStatus::time_limit);
   ExtremeCase crust = new_case("stiffness-1000-above", "stiffness 1000:1, stiff crust above",
                                slump(), settings_of(1, 10));

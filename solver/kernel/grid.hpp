@@ -15,6 +15,9 @@ struct GridSize {
   std::size_t rows = 0;     ///< of nodes, with the ghost row at the base
 };
 
+/// Mass of a node, kg/m, below which there is only round-off: 1e-14 of one full of water.
+constexpr double least_mass(double h) { return 1e-14 * 1000 * h * h; }
+
 /// A grid over length x height (metres), whole cells.
 GridSize grid_over(double h, double length, double height);
 

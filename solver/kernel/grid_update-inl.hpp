@@ -22,9 +22,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Rows are worked on eight at a time, whatever the width of the vectors.
 constexpr std::size_t rows_at_once = 8;
 
-/// Of a node full of water: below it there is only round-off.
-constexpr double least_mass = 1e-14;
-
 inline std::size_t whole_rows(std::size_t rows) {
   return (rows + rows_at_once - 1) / rows_at_once * rows_at_once;
 }
@@ -122,7 +119,7 @@ HWY_INLINE void keep_force(Grid<Real>& grid, std::size_t column, const Nodes<Rea
   const Real *mass = n.value(Values::mass_sum), *fx = n.value(Values::force_x),
              *fz = n.value(Values::force_z);
   Real *x = grid.force_at(column, 0), *z = x + grid.stride;
-  const double least = least_mass * 1000 * grid.h * grid.h;
+  const double least = least_mass(grid.h);
   for (std::size_t k = 0; k < grid.top[column]; ++k) {
     const bool full = static_cast<double>(mass[k]) > least;
     x[k] = full ? fx[k] : Real{0};
@@ -172,7 +169,7 @@ HWY_INLINE void accelerate_column(D d, Grid<Number<D>>& grid, std::size_t column
   using Real = Number<D>;
   using Values = Grid<Real>;
   const std::size_t top = whole_rows(grid.top[column]);
-  const auto least = constant(d, least_mass * 1000 * grid.h * grid.h);
+  const auto least = constant(d, least_mass(grid.h));
   Real *vx = grid.velocity_at(column, 0), *vz = vx + grid.stride;
   HWY_ALIGN Real before[rows_at_once] = {}, after[rows_at_once] = {}, damped[rows_at_once] = {};
   for (std::size_t k = 0; k < top; k += rows_at_once) {

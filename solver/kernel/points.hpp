@@ -1,6 +1,6 @@
 #pragma once
 // The numbers of a material point: as one point, as a lane of a pack, and the table of both.
-// How to add one: solver/README.md, "A number more".
+// How to add one: solver/adding.md, "A number of each particle".
 
 #include <array>
 #include <cstddef>

@@ -4,8 +4,6 @@ namespace leda::solver {
 
 namespace {
 
-constexpr double least_mass = 1e-14;  // of a node full of water, as in kernel/grid_update-inl.hpp
-
 Freedom image_of(const Freedom& inside, double parity) {
   return {inside.number, parity * inside.sign};
 }
@@ -32,7 +30,7 @@ Freedoms number_freedoms(Grid<double>& grid) {
   freedoms.rows = grid.rows;
   freedoms.of.resize(grid.columns * grid.rows * 2);
   freedoms.first.assign(grid.columns + 1, 0);
-  const double least = least_mass * 1000 * grid.h * grid.h;
+  const double least = least_mass(grid.h);
   std::int32_t next = 0;
   for (std::size_t i = 1; i + 1 < grid.columns; ++i) {
     freedoms.first[i] = next;

@@ -4,8 +4,8 @@
 // two corners where the middle principal stress meets the largest or the smallest.
 // Source: de Souza Neto, Peric and Owen 2008, 8.2.
 //
-// A yield part has: principal(), excess(), and returned(). Another surface is another file with
-// the same three.
+// A yield part has: principal(), yields(), excess(), and returned(). Another surface is another
+// file with the same four.
 
 #if defined(LEDA_SOLVER_TRESCA_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LEDA_SOLVER_TRESCA_INL
