@@ -65,9 +65,10 @@ constexpr std::array<SofteningName, 5> laws{{
     {"dey", read_dey},
 }};
 
-constexpr std::array<std::pair<Regularization, const char*>, 3> regularizations{{
+constexpr std::array<std::pair<Regularization, const char*>, 4> regularizations{{
     {Regularization::beta, "beta"},
     {Regularization::whole_curve, "whole-curve"},
+    {Regularization::band, "band"},
     {Regularization::none, "none"},
 }};
 
@@ -137,6 +138,7 @@ json to_document(const Softening& softening) {
   for (const auto& [value, name] : regularizations) {
     if (value == softening.regularization) out["regularization"] = name;
   }
+  if (softening.regularization == Regularization::band) out["band_m"] = softening.band_m;
   return out;
 }
 

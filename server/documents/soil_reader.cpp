@@ -93,8 +93,14 @@ std::optional<Softening> read_softening(const json& value, const std::string& at
       softening.regularization = *regularization;
     } else if (!text.empty()) {
       faults.add(reader.at("regularization"),
-                 "is \"" + text + "\", must be one of beta, whole-curve, none");
+                 "is \"" + text + "\", must be one of beta, whole-curve, band, none");
     }
+  }
+  if (softening.regularization == Regularization::band) {
+    softening.band_m = reader.number("band_m");
+  } else if (reader.find("band_m")) {
+    faults.add(reader.at("band_m"), "is given without \"regularization\": \"band\"");
+    reader.number("band_m");
   }
   if (!softening_named(law)) return std::nullopt;
   reader.refuse_unknown();

@@ -1,6 +1,7 @@
 #include "solver/kernel/grid.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace leda::solver {
 
@@ -10,6 +11,32 @@ GridSize grid_over(double h, double length, double height) {
   };
   return {h, cells(length) + 3, cells(height) + 3};
 }
+
+namespace {
+
+constexpr double most_share = 0.25;  // of a pass: the highest mode of the nodes is gone after one
+
+// A slip in one row of cells has the strain of a hat function, variance h^2/6; the splines of both
+// transfers add h^2/4 each, a pass adds 2 share h^2. The average of a slip then stands, at its
+// middle, at slip / (sqrt(2 pi) s), s^2 being the sum: that is how thick the band is.
+template <class Real>
+BandGrid<Real> make_band(const Grid<Real>& g, double band_m) {
+  const double s = band_m / std::sqrt(2 * std::numbers::pi) / g.h;
+  const double rest = s * s - 1.0 / 6 - 1.0 / 2;
+  BandGrid<Real> band;
+  if (rest > 0) {
+    band.passes = static_cast<std::size_t>(std::ceil(rest / (2 * most_share)));
+    band.share = rest / (2 * static_cast<double>(band.passes));
+  }
+  band.sums.assign(g.columns * Grid<Real>::planes * g.stride, Real{0});
+  band.strain[0].assign(g.columns * g.stride, Real{0});
+  band.active.assign(g.columns, 0);
+  if (band.passes == 0) return band;
+  band.strain[1] = band.mass[0] = band.mass[1] = band.strain[0];
+  return band;
+}
+
+}  // namespace
 
 template <class Real>
 Grid<Real> make_grid(const GridSize& size, const GridExtras& extras) {
@@ -24,7 +51,9 @@ Grid<Real> make_grid(const GridSize& size, const GridExtras& extras) {
   if (g.stride % 16 == 0) g.stride += 8;
   g.sums.assign(g.columns * Grid<Real>::values * Grid<Real>::planes * g.stride, Real{0});
   g.velocity.assign(g.columns * 2 * g.stride, Real{0});
-  if (extras.mass) g.mass.assign(g.columns * g.stride, Real{0});
+  g.shows_mass = extras.mass;
+  if (extras.band_m > 0) g.band = make_band(g, extras.band_m);
+  if (extras.mass || g.band.exists()) g.mass.assign(g.columns * g.stride, Real{0});
   if (extras.force) g.force.assign(g.columns * 2 * g.stride, Real{0});
   if (extras.averages) g.span.assign(g.columns * 2 * g.stride, Real{0});
   g.top.assign(g.columns, 0);

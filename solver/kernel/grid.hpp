@@ -2,6 +2,7 @@
 // The background grid: sums and velocities by column, each value a run of memory.
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "solver/kernel/packs.hpp"
@@ -20,6 +21,22 @@ constexpr double least_mass(double h) { return 1e-14 * 1000 * h * h; }
 
 /// A grid over length x height (metres), whole cells.
 GridSize grid_over(double h, double length, double height);
+
+/// The plastic strain of a step on the nodes, on its way from points to points over a band
+/// (solver/kernel/band.hpp). Empty where no band is averaged over.
+template <class Real>
+struct BandGrid {
+  std::size_t passes = 0;  ///< of smoothing
+  double share = 0;        ///< what a pass gives to each neighbour along an axis
+  std::vector<Real> sums;  ///< sum w m (plastic strain), [columns][planes][stride]
+  /// Twice sum w m (plastic strain) and twice sum w m, [columns][stride]: a pass reads one and
+  /// writes the other. The last one written holds the average in place of the sum.
+  std::vector<Real> strain[2], mass[2];
+  std::vector<std::uint8_t> active;  ///< columns within reach of ground that yielded
+
+  bool exists() const { return !sums.empty(); }
+  std::vector<Real>& average() { return strain[passes % 2]; }
+};
 
 /// Node (i, k) lies at ((i - 1) h, (k - 1) h) from the model's lower left corner: one layer of
 /// ghost nodes lies outside the base and the sides. What points in home row k give to node row
@@ -44,6 +61,8 @@ struct Grid {
   /// numbered by its lowest node: [columns][volume, mean of a value times volume][stride]. Empty:
   /// dilation is not averaged.
   std::vector<Real> span;
+  bool shows_mass = false;  ///< points see the mass of the nodes
+  BandGrid<Real> band;      ///< plastic strain averaged over a band
 
   bool averages() const { return !span.empty(); }
 
@@ -60,6 +79,13 @@ struct Grid {
   Real* span_at(std::size_t column, std::size_t row) {
     return &span[column * 2 * stride + lead + row];
   }
+  Real* band_sums_at(std::size_t column, std::size_t row) {
+    return &band.sums[column * planes * stride + lead + row];
+  }
+  /// Of an array [columns][stride].
+  Real* at(std::vector<Real>& of, std::size_t column, std::size_t row) const {
+    return &of[column * stride + lead + row];
+  }
 };
 
 /// What a grid holds beside what every step needs.
@@ -67,6 +93,7 @@ struct GridExtras {
   bool mass = false;      ///< of the nodes, as points see it
   bool force = false;     ///< unbalanced, and its sums
   bool averages = false;  ///< dilation and mean stress are averaged over spans (B-bar)
+  double band_m = 0;      ///< plastic strain is averaged over a band; 0: it is not
 };
 
 template <class Real>

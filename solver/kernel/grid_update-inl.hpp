@@ -34,6 +34,21 @@ struct Nodes {
   Real* value(std::size_t v) const { return first + v * stride + Grid<Real>::lead; }
 };
 
+/// Adds up the planes of one value of a column, `top` rows of them, and clears them.
+template <class D>
+HWY_INLINE void combine_value(D d, Number<D>* planes, std::size_t stride, std::size_t top,
+                              Number<D>* to) {
+  const auto take = [&](Number<D>* from) {
+    const auto value = hn::LoadU(d, from);
+    hn::StoreU(hn::Zero(d), d, from);
+    return value;
+  };
+  Number<D>*a = planes, *b = a + stride, *c = b + stride;
+  for (std::size_t k = 0; k < top; k += hn::Lanes(d)) {
+    hn::StoreU(take(a + k) + (take(b + k - 1) + take(c + k - 2)), d, to + k);
+  }
+}
+
 /// Adds up the planes of a column, with gravity, and clears them.
 template <class D>
 HWY_INLINE void combine(D d, Grid<Number<D>>& grid, std::size_t column, const Nodes<Number<D>>& to,
@@ -42,17 +57,8 @@ HWY_INLINE void combine(D d, Grid<Number<D>>& grid, std::size_t column, const No
   using Values = Grid<Real>;
   const std::size_t top = whole_rows(grid.top[column]), stride = grid.stride;
   Real* sums = grid.sums_at(column, 0);
-  const auto take = [&](Real* from) {
-    const auto value = hn::LoadU(d, from);
-    hn::StoreU(hn::Zero(d), d, from);
-    return value;
-  };
   for (std::size_t v = 0; v < Values::values; ++v) {
-    Real *a = sums + Values::planes * v * stride, *b = a + stride, *c = b + stride;
-    Real* node = to.value(v);
-    for (std::size_t k = 0; k < top; k += hn::Lanes(d)) {
-      hn::StoreU(take(a + k) + (take(b + k - 1) + take(c + k - 2)), d, node + k);
-    }
+    combine_value(d, sums + Values::planes * v * stride, stride, top, to.value(v));
   }
   const Real* mass = to.value(Values::mass_sum);
   Real* force = to.value(Values::force_z);

@@ -8,7 +8,7 @@
 #endif
 
 #include "hwy/highway.h"
-#include "solver/kernel/grid_update-inl.hpp"
+#include "solver/kernel/band-inl.hpp"
 #include "solver/kernel/step-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,6 +41,12 @@ Kernel<Real> kernel_here() {
                       std::size_t last) { add_dilation(Tag(), packs, grid, first, last); };
   k.steepest = [](const Packs<Real>& packs, Grid<Real>& grid, std::size_t first, std::size_t last) {
     return steepest(Tag(), packs, grid, first, last);
+  };
+  k.add_up_band = [](Grid<Real>& grid, std::size_t first, std::size_t last) {
+    add_up_band(Rows(), grid, first, last);
+  };
+  k.smooth_band = [](Grid<Real>& grid, std::size_t pass, std::size_t first, std::size_t last) {
+    smooth_band(Rows(), grid, pass, first, last);
   };
   k.add_stress = [](const Packs<Real>& packs, Grid<Real>& grid, std::size_t first,
                     std::size_t last) { add_stress(Tag(), packs, grid, first, last); };

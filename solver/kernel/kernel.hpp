@@ -80,6 +80,14 @@ struct Kernel {
   double (*steepest)(const Packs<Real>& packs, Grid<Real>& grid, std::size_t first,
                      std::size_t last);
 
+  /// The sums of the plastic strain of a step on the nodes of the band, edges folded; averages
+  /// already where the band takes no smoothing. The sums given are zero afterwards.
+  void (*add_up_band)(Grid<Real>& grid, std::size_t first, std::size_t last);
+
+  /// One pass of smoothing; after the last the band holds averages.
+  /// @pre the pass before has been done for all columns
+  void (*smooth_band)(Grid<Real>& grid, std::size_t pass, std::size_t first, std::size_t last);
+
   /// Adds volume, and volume times the mean of the in-plane normal stresses, likewise.
   void (*add_stress)(const Packs<Real>& packs, Grid<Real>& grid, std::size_t first,
                      std::size_t last);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/kernel/band.hpp"
 #include "solver/kernel/group.hpp"
 #include "solver/kernel/pack_particles.hpp"
 #include "solver/kernel/rehome.hpp"
@@ -206,7 +207,8 @@ Model<Real> empty_model(const GridSize& size, const LawTable& laws, const ModelS
   model.settings = settings;
   model.grid = make_grid<Real>(size, {.mass = settings.softer || settings.keeps_force,
                                       .force = settings.keeps_force,
-                                      .averages = settings.averages});
+                                      .averages = settings.averages,
+                                      .band_m = laws.band_m});
   model.packs.held = settings.held;
   model.packs.moves = !settings.held || settings.averages;  // spans are spread from the motion
   take_laws(model, laws);
@@ -219,6 +221,7 @@ std::optional<Model<Real>> make_model(const Particles& particles, const GridSize
   Model<Real> model = empty_model<Real>(size, laws, settings);
   if (!pack(particles, model.grid, model.packs)) return {};
   model.rest.assign(model.packs.group.size(), GroupRest{});
+  model.yielded.assign(model.rest.size(), 1);  // perhaps
   spread_all(model);
   return model;
 }
@@ -235,6 +238,7 @@ Model<To> converted(const Model<From>& from, const GridSize& size, const LawTabl
   for (std::size_t g = 0; g < packs.group.size(); ++g) copy_group(packs, g, to);
   set_all_tops(to, model.grid);
   model.rest.assign(to.group.size(), GroupRest{});
+  model.yielded.assign(model.rest.size(), 1);
   spread_all(model);
   return model;
 }
@@ -252,7 +256,8 @@ void spread_all(Model<Real>& model) {
 
 template <class Real>
 void spread_anew(Model<Real>& model) {
-  std::fill(model.grid.sums.begin(), model.grid.sums.end(), Real{0});
+  std::ranges::fill(model.grid.sums, Real{0});
+  std::ranges::fill(model.grid.band.sums, Real{0});
   spread_all(model);
 }
 
@@ -277,10 +282,12 @@ StepSums step(Model<Real>& model, const StepSettings& settings, bool keep, Threa
   model.kept = model.packs.moves && (keep || decides || model.grid.averages());
   StepSums sums;
   sums.grid = balance_nodes(model, settings, team);
+  average_band(model, team);
   const std::vector<PointSums> points = update_points(model, settings, team);
   model.stepped = 0;
   for (std::size_t g = 0; g < points.size(); ++g) {
     if (!model.rest[g].rests) model.stepped += model.packs.group[g].points;
+    model.yielded[g] = points[g].yields ? 1 : 0;
     add(points[g], sums.points);
   }
   model.strayed += sums.points.strayed;

@@ -27,9 +27,10 @@ struct Model {
   Packs<Real> packs;
   Grid<Real> grid;
   Laws<Real> laws;
-  std::size_t strayed = 0;      ///< points outside their home cell, summed over the steps
-  bool kept = false;            ///< the last step kept the motion
-  std::vector<GroupRest> rest;  ///< of the groups of columns
+  std::size_t strayed = 0;            ///< points outside their home cell, summed over the steps
+  bool kept = false;                  ///< the last step kept the motion
+  std::vector<GroupRest> rest;        ///< of the groups of columns
+  std::vector<std::uint8_t> yielded;  ///< groups with points that have yielded in the last step
   std::int64_t steps = 0;
   std::size_t stepped = 0;  ///< points that the last step moved
   bool wakes = false;       ///< ground at rest has to be woken

@@ -16,6 +16,7 @@ struct Particle {
   double vx = 0, vz = 0;                      ///< m/s
   double cxx = 0, cxz = 0, czx = 0, czz = 0;  ///< APIC, c_ij = dv_i/dx_j, 1/s
   double sxx = 0, szz = 0, sxz = 0, syy = 0;  ///< Cauchy stress, Pa
+  double plastic_step = 0;                    ///< plastic strain of the last step
   double mass = 0;                            ///< kg/m
   double volume = 0;                          ///< m3/m
   double plastic_strain = 0;                  ///< accumulated engineering shear strain
@@ -44,14 +45,15 @@ struct alignas(64) Pack {
   std::int32_t id[lanes];
 };
 
-/// Velocity and its gradient at the points of a pack: written only in steps after which somebody
-/// looks, since the step itself passes them on in registers.
+/// Velocity, its gradient and the plastic strain of the step at the points of a pack: written only
+/// in steps after which somebody looks, since the step itself passes them on in registers.
 template <class Real>
 struct alignas(64) PackMotion {
   Real vx[Pack<Real>::lanes], vz[Pack<Real>::lanes];  ///< m/s
   /// Times the cell, m/s.
   Real cxx[Pack<Real>::lanes], cxz[Pack<Real>::lanes], czx[Pack<Real>::lanes],
       czz[Pack<Real>::lanes];
+  Real plastic_step[Pack<Real>::lanes];  ///< where it is averaged over a band, else zero
 };
 
 /// One number, in a pack and in a Particle; null where a Particle has none.
@@ -90,13 +92,14 @@ struct MotionNumber {
 };
 
 template <class Real>
-inline constexpr std::array<MotionNumber<Real>, 6> motion_numbers = {{
+inline constexpr std::array<MotionNumber<Real>, 7> motion_numbers = {{
     {"vx", &PackMotion<Real>::vx, &Particle::vx, false},
     {"vz", &PackMotion<Real>::vz, &Particle::vz, false},
     {"cxx", &PackMotion<Real>::cxx, &Particle::cxx, true},
     {"cxz", &PackMotion<Real>::cxz, &Particle::cxz, true},
     {"czx", &PackMotion<Real>::czx, &Particle::czx, true},
     {"czz", &PackMotion<Real>::czz, &Particle::czz, true},
+    {"plastic_step", &PackMotion<Real>::plastic_step, &Particle::plastic_step, false},
 }};
 static_assert(sizeof(PackMotion<float>) ==
               motion_numbers<float>.size() * sizeof(float) * Pack<float>::lanes);

@@ -89,11 +89,12 @@ struct FromNodes {
   T vx, vz;              ///< velocity, m/s
   T mxx, mxz, mzx, mzz;  ///< its moments sum w v d, m/s, d in cells
   T lxx, lxz, lzx, lzz;  ///< its slopes sum v grad w, m/s per cell
-  T seen;                ///< mass sum w m, kg/m; zero where the grid keeps none
+  T seen;                ///< mass sum w m, kg/m; zero where the grid shows none
+  T softening;           ///< plastic strain of the last step, averaged over a band; else zero
 
-  static constexpr std::size_t count = 11;
+  static constexpr std::size_t count = 12;
   std::array<T*, count> all() {
-    return {&vx, &vz, &mxx, &mxz, &mzx, &mzz, &lxx, &lxz, &lzx, &lzz, &seen};
+    return {&vx, &vz, &mxx, &mxz, &mzx, &mzz, &lxx, &lxz, &lzx, &lzz, &seen, &softening};
   }
 };
 
@@ -124,24 +125,21 @@ HWY_INLINE FromNodes<hn::Vec<D>> motion_at(D d, const Number<D>* nodes, std::siz
   };
   return {weigh(value, 0), weigh(value, 1),  differ(x.wd, 0), weigh(moment, 0),
           differ(x.wd, 1), weigh(moment, 1), differ(x.s, 0),  weigh(slope, 0),
-          differ(x.s, 1),  weigh(slope, 1),  hn::Zero(d)};
+          differ(x.s, 1),  weigh(slope, 1),  hn::Zero(d),     hn::Zero(d)};
 }
 
-/// Mass that points see, sum w m over the nodes from this column and row on; zero where the grid
-/// keeps none.
+/// sum w q over the nodes from q on, a value of the first column's lowest node.
 template <class D>
-HWY_INLINE hn::Vec<D> seen_mass(D d, Grid<Number<D>>& grid, std::size_t column, std::size_t row,
-                                const Spline<D>& x, const Spline<D>& z) {
-  auto seen = hn::Zero(d);
-  if (grid.mass.empty()) return seen;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const Number<D>* m = grid.mass_at(column + c, row);
+HWY_INLINE hn::Vec<D> value_at(D d, const Number<D>* q, std::size_t stride, const Spline<D>& x,
+                               const Spline<D>& z) {
+  auto value = hn::Zero(d);
+  for (std::size_t c = 0; c < 3; ++c, q += stride) {
     const auto along =
-        hn::MulAdd(z.w[2], load_rows(d, m + 2),
-                   hn::MulAdd(z.w[1], load_rows(d, m + 1), z.w[0] * load_rows(d, m)));
-    seen = hn::MulAdd(x.w[c], along, seen);
+        hn::MulAdd(z.w[2], load_rows(d, q + 2),
+                   hn::MulAdd(z.w[1], load_rows(d, q + 1), z.w[0] * load_rows(d, q)));
+    value = hn::MulAdd(x.w[c], along, value);
   }
-  return seen;
+  return value;
 }
 
 /// All that points take from the nodes that they see from this column and row on.
@@ -150,7 +148,12 @@ HWY_INLINE FromNodes<hn::Vec<D>> from_nodes(D d, Grid<Number<D>>& grid, std::siz
                                             std::size_t row, hn::Vec<D> x, hn::Vec<D> z) {
   const auto ax = spline(d, x), az = spline(d, z);
   auto taken = motion_at(d, grid.velocity_at(column, row), grid.stride, ax, az);
-  taken.seen = seen_mass(d, grid, column, row, ax, az);
+  if (grid.shows_mass) {
+    taken.seen = value_at(d, grid.mass_at(column, row), grid.stride, ax, az);
+  }
+  if (grid.band.exists() && grid.band.active[column] != 0) {
+    taken.softening = value_at(d, grid.at(grid.band.average(), column, row), grid.stride, ax, az);
+  }
   return taken;
 }
 
@@ -161,10 +164,11 @@ struct ToNodes {
   T px, pz;              ///< momentum at the point
   T pxx, pxz, pzx, pzz;  ///< mass times affine velocity, per cell
   T fxx, fzz, fxz;       ///< - V sigma / h
+  T strained;            ///< mass times the plastic strain of the step
 
-  static constexpr std::size_t count = 10;
+  static constexpr std::size_t count = 11;
   std::array<T*, count> all() {
-    return {&mass, &px, &pz, &pxx, &pxz, &pzx, &pzz, &fxx, &fzz, &fxz};
+    return {&mass, &px, &pz, &pxx, &pxz, &pzx, &pzz, &fxx, &fzz, &fxz, &strained};
   }
 };
 
@@ -194,6 +198,18 @@ HWY_INLINE void add_to_nodes(D d, Number<D>* sums, std::size_t stride, const Spl
       add(hn::MulAdd(sz, fzz, wz * fzx));
     }
     sums += Values::values * Values::planes * stride;
+  }
+}
+
+/// Adds a value alone to its planes, likewise.
+template <class D>
+HWY_INLINE void add_value(D d, Number<D>* planes, std::size_t stride, const Spline<D>& x,
+                          const Spline<D>& z, hn::Vec<D> value) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto part = x.w[c] * value;
+    for (std::size_t j = 0; j < Grid<Number<D>>::planes; ++j, planes += stride) {
+      add_to_rows(d, z.w[j] * part, planes);
+    }
   }
 }
 

@@ -15,16 +15,17 @@ HWY_BEFORE_NAMESPACE();
 namespace leda::solver::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Velocity and affine velocity (per cell) of a vector of points.
+/// Velocity, affine velocity (per cell) and plastic strain of the step of a vector of points.
 template <class D>
 struct Carried {
-  hn::Vec<D> vx, vz, cxx, cxz, czx, czz;
+  hn::Vec<D> vx, vz, cxx, cxz, czx, czz, plastic_step;
 };
 
 template <class D>
 HWY_INLINE Carried<D> load_motion(D d, const PackMotion<Number<D>>& m, std::size_t l) {
-  return {hn::Load(d, m.vx + l),  hn::Load(d, m.vz + l),  hn::Load(d, m.cxx + l),
-          hn::Load(d, m.cxz + l), hn::Load(d, m.czx + l), hn::Load(d, m.czz + l)};
+  return {hn::Load(d, m.vx + l),          hn::Load(d, m.vz + l),  hn::Load(d, m.cxx + l),
+          hn::Load(d, m.cxz + l),         hn::Load(d, m.czx + l), hn::Load(d, m.czz + l),
+          hn::Load(d, m.plastic_step + l)};
 }
 
 template <class D>
@@ -35,6 +36,7 @@ HWY_INLINE void store_motion(D d, const Carried<D>& m, PackMotion<Number<D>>& to
   hn::Store(m.cxz, d, to.cxz + l);
   hn::Store(m.czx, d, to.czx + l);
   hn::Store(m.czz, d, to.czz + l);
+  hn::Store(m.plastic_step, d, to.plastic_step + l);
 }
 
 /// `Average`: the mean of the in-plane normal stresses is replaced by its mean over the span, the
@@ -51,8 +53,17 @@ HWY_INLINE ToNodes<hn::Vec<D>> given_by(D d, const Pack<Number<D>>& p, std::size
     sxx = sxx + to_mean;
     szz = szz + to_mean;
   }
-  return {mass,         mass * m.vx,  mass * m.vz,  mass * m.cxx, mass * m.cxz,
-          mass * m.czx, mass * m.czz, volume * sxx, volume * szz, volume * hn::Load(d, p.sxz + l)};
+  return {mass,
+          mass * m.vx,
+          mass * m.vz,
+          mass * m.cxx,
+          mass * m.cxz,
+          mass * m.czx,
+          mass * m.czz,
+          volume * sxx,
+          volume * szz,
+          volume * hn::Load(d, p.sxz + l),
+          mass * m.plastic_step};
 }
 
 template <class D>
@@ -97,7 +108,11 @@ HWY_INLINE hn::Mask<D> add_at_home(D d, Grid<Number<D>>& grid, const PackPlace& 
   if (HWY_UNLIKELY(!hn::AllFalse(d, stray))) {
     for (auto* value : given.all()) *value = hn::IfThenZeroElse(stray, *value);
   }
-  add_to_nodes(d, grid.sums_at(place.column, row), grid.stride, spline(d, x), spline(d, z), given);
+  const auto ax = spline(d, x), az = spline(d, z);
+  add_to_nodes(d, grid.sums_at(place.column, row), grid.stride, ax, az, given);
+  if (grid.band.exists() && !hn::AllTrue(d, hn::Eq(given.strained, hn::Zero(d)))) {
+    add_value(d, grid.band_sums_at(place.column, row), grid.stride, ax, az, given.strained);
+  }
   return stray;
 }
 
@@ -137,7 +152,7 @@ HWY_INLINE bool spread_packs(D d, Packs<Number<D>>& packs, Grid<Number<D>>& grid
     const auto motion_of = [&](std::size_t l) {
       if (packs.moves) return load_motion(d, packs.motion[i], l);
       const auto still = hn::Zero(d);
-      return Carried<D>{still, still, still, still, still, still};
+      return Carried<D>{still, still, still, still, still, still, still};
     };
     inside = (grid.averages() ? add_pack<true>(d, packs, i, grid, per_h, motion_of)
                               : add_pack<false>(d, packs, i, grid, per_h, motion_of)) &&

@@ -42,6 +42,7 @@ template <class Real>
 struct Between {
   using Lanes = Real[Pack<Real>::lanes];
   HWY_ALIGN FromNodes<Lanes> of[block];
+  HWY_ALIGN Lanes plastic_step[block];  ///< of softening that goes by a band; else zero
 };
 
 // First pass: what a vector of points takes from the nodes. False where one has left the grid.
@@ -92,13 +93,37 @@ HWY_INLINE PlaneStrain<hn::Vec<D>> averaged(D d, const PlaneStrain<hn::Vec<D>>& 
   return {own.xx + to_mean, own.zz + to_mean, own.xz};
 }
 
+// Adds to plastic strains. Kahan's sum: what rounding takes now is added with the next step.
+template <class D>
+HWY_INLINE hn::Vec<D> add_plastic(D d, Pack<Number<D>>& p, std::size_t l, hn::Vec<D> gamma,
+                                  hn::Vec<D> plastic) {
+  const auto more = plastic - hn::Load(d, p.plastic_rest + l);
+  const auto sum = gamma + more;
+  hn::Store((sum - gamma) - more, d, p.plastic_rest + l);
+  hn::Store(sum, d, p.plastic_strain + l);
+  return sum;
+}
+
+// The strain that softens where it is averaged over a band: what the band brought since the last
+// step, for ground that has yielded itself.
+template <class D>
+HWY_INLINE hn::Vec<D> banded(D d, Pack<Number<D>>& p, std::size_t l, hn::Vec<D> gamma,
+                             hn::Vec<D> softening) {
+  const auto yielded = hn::Gt(gamma, hn::Zero(d));
+  const auto more = hn::IfThenElseZero(yielded, softening);
+  if (hn::AllTrue(d, hn::Eq(more, hn::Zero(d)))) return gamma;
+  return add_plastic(d, p, l, gamma, more);
+}
+
 // Second pass: stress, plastic strain, volume, position. `span`: null, or where the spans of the
 // points stand with the dilation of a second.
 template <class P, class D>
 HWY_INLINE void update(D d, P parts, Pack<Number<D>>& p, std::size_t l, const Laws<Number<D>>& laws,
                        const StepScales<Number<D>>& scale,
-                       const FromNodes<Number<D>[Pack<Number<D>>::lanes]>& v, const Number<D>* span,
-                       std::size_t stride, LaneSums<D>& sums) {
+                       const FromNodes<Number<D>[Pack<Number<D>>::lanes]>& v,
+                       Number<D>* plastic_step, const Number<D>* span, std::size_t stride,
+                       LaneSums<D>& sums) {
+  constexpr bool band = P::Softening::band;
   const auto vx = hn::Load(d, v.vx + l), vz = hn::Load(d, v.vz + l);
   const auto lxz = hn::Load(d, v.lxz + l), lzx = hn::Load(d, v.lzx + l);
   const auto step = hn::Set(d, scale.dt_per_h), half_step = constant(d, 0.5) * step;
@@ -110,17 +135,22 @@ HWY_INLINE void update(D d, P parts, Pack<Number<D>>& p, std::size_t l, const La
   const auto spin = (lxz - lzx) * half_step;
   const PlaneStress<hn::Vec<D>> old{hn::Load(d, p.sxx + l), hn::Load(d, p.szz + l),
                                     hn::Load(d, p.sxz + l), hn::Load(d, p.syy + l)};
-  const auto gamma = hn::Load(d, p.plastic_strain + l);
+  auto gamma = hn::Load(d, p.plastic_strain + l);
+  if constexpr (band) gamma = banded(d, p, l, gamma, hn::Load(d, v.softening + l));
   const auto row = law_rows(d, p.law + l, laws.rows);
   const auto moduli = moduli_of(d, p, l, laws, row, hn::Load(d, v.seen + l), scale.area);
   const auto next =
       next_stress(d, parts, row, laws, old, gamma, strain, spin, hn::Set(d, scale.dt), moduli);
   sums.yields = sums.yields || next.yields;
-  if (next.yields) {  // Kahan's sum: what rounding takes now is added with the next step
-    const auto more = next.plastic_strain - hn::Load(d, p.plastic_rest + l);
-    const auto sum = gamma + more;
-    hn::Store((sum - gamma) - more, d, p.plastic_rest + l);
-    hn::Store(sum, d, p.plastic_strain + l);
+  if constexpr (band) {
+    hn::Store(next.plastic_strain, d, plastic_step + l);
+    if (next.yields) {  // marks what has yielded
+      const auto yields = hn::Gt(next.plastic_strain, hn::Zero(d));
+      const auto mark = hn::IfThenElseZero(yields, constant(d, tiny<D>));
+      hn::Store(hn::Max(gamma, mark), d, p.plastic_strain + l);
+    }
+  } else if (next.yields) {
+    add_plastic(d, p, l, gamma, next.plastic_strain);
   }
   hn::Store(next.stress.xx, d, p.sxx + l);
   hn::Store(next.stress.zz, d, p.szz + l);
@@ -140,13 +170,19 @@ HWY_INLINE void update(D d, P parts, Pack<Number<D>>& p, std::size_t l, const La
 
 // APIC: C = 4 / h^2 sum w v d (Jiang et al. 2015), here times the cell.
 template <class D>
-HWY_INLINE Carried<D> carried(D d, const FromNodes<Number<D>[Pack<Number<D>>::lanes]>& v,
+HWY_INLINE Carried<D> carried(D d, const Between<Number<D>>& between, std::size_t i,
                               std::size_t l) {
+  const auto& v = between.of[i];
   const auto affine = [&](const Number<D>* moment) {
     return constant(d, 4) * hn::Load(d, moment + l);
   };
-  return {hn::Load(d, v.vx + l), hn::Load(d, v.vz + l), affine(v.mxx),
-          affine(v.mxz),         affine(v.mzx),         affine(v.mzz)};
+  return {hn::Load(d, v.vx + l),
+          hn::Load(d, v.vz + l),
+          affine(v.mxx),
+          affine(v.mxz),
+          affine(v.mzx),
+          affine(v.mzz),
+          hn::Load(d, between.plastic_step[i] + l)};
 }
 
 // Sums over a block by lane, whatever the width of the vectors.
@@ -169,7 +205,7 @@ template <class P, class D>
 HWY_NOINLINE void update_block(D d, P parts, Packs<Number<D>>& packs, std::size_t first,
                                std::size_t count, Grid<Number<D>>& grid,
                                const Laws<Number<D>>& laws, const StepScales<Number<D>>& scale,
-                               const Between<Number<D>>& between, PointSums& sums) {
+                               Between<Number<D>>& between, PointSums& sums) {
   using Real = Number<D>;
   BlockSums<Real> of_lanes;
   for (std::size_t l = 0; l < Pack<Real>::lanes; l += hn::Lanes(d)) {
@@ -179,8 +215,8 @@ HWY_NOINLINE void update_block(D d, P parts, Packs<Number<D>>& packs, std::size_
       const PackPlace& place = packs.place[first + i];
       const Real* span =
           grid.averages() ? grid.span_at(place.column, place.row + l % Pack<Real>::rows) : nullptr;
-      update(d, parts, packs.pack[first + i], l, laws, scale, between.of[i], span, grid.stride,
-             lane);
+      update(d, parts, packs.pack[first + i], l, laws, scale, between.of[i],
+             between.plastic_step[i], span, grid.stride, lane);
     }
     hn::Store(lane.work, d, of_lanes.work + l);
     hn::Store(lane.px, d, of_lanes.px + l);
@@ -214,7 +250,7 @@ HWY_NOINLINE bool spread_block(D d, Packs<Number<D>>& packs, std::size_t first, 
   bool inside = true;
   for (std::size_t i = 0; i < count; ++i) {
     const auto motion_of = [&](std::size_t l) {
-      const auto m = carried(d, between.of[i], l);
+      const auto m = carried(d, between, i, l);
       if (keep) store_motion(d, m, packs.motion[first + i], l);
       return m;
     };
@@ -230,7 +266,7 @@ HWY_NOINLINE void keep_block(D d, Packs<Number<D>>& packs, std::size_t first, st
   for (std::size_t i = first; i < first + count; ++i) {
     for (std::size_t l = 0; l < Pack<Number<D>>::lanes; l += hn::Lanes(d)) {
       if (!any_of(d, packs.taken[i], l)) continue;
-      store_motion(d, carried(d, between.of[i - first], l), packs.motion[i], l);
+      store_motion(d, carried(d, between, i - first, l), packs.motion[i], l);
     }
     find_strayed(d, packs, i);
     strayed += static_cast<std::size_t>(std::popcount(packs.strayed[i]));

@@ -110,8 +110,11 @@ HWY_NOINLINE bool spread_strays(D d, Grid<Number<D>>& grid, const PackPlace& pla
     ToNodes<hn::Vec<OneLane<Real>>> own;
     const auto one = own.all();
     for (std::size_t v = 0; v < count; ++v) *one[v] = hn::Set(d1, lanes[v][l]);
-    add_to_nodes(d1, grid.sums_at(s.column, s.row), grid.stride, spline(d1, hn::Set(d1, s.x)),
-                 spline(d1, hn::Set(d1, s.z)), own);
+    const auto ax = spline(d1, hn::Set(d1, s.x)), az = spline(d1, hn::Set(d1, s.z));
+    add_to_nodes(d1, grid.sums_at(s.column, s.row), grid.stride, ax, az, own);
+    if (grid.band.exists()) {
+      add_value(d1, grid.band_sums_at(s.column, s.row), grid.stride, ax, az, own.strained);
+    }
   });
 }
 

@@ -76,6 +76,7 @@ std::int32_t LawTableBuilder::add(std::size_t material_index, double peak) {
   SofteningCurve curve = perfectly_plastic(peak);
   if (m.softening) curve = softening_curve(*m.softening, peak, cell_m_);
   LawTable& t = table_;
+  if (m.softening) t.band_m = std::max(t.band_m, m.softening->band_m);
   t.bulk.push_back(m.youngs_modulus_Pa() / (3 * (1 - 2 * m.poisson_ratio)));
   t.shear.push_back(m.shear_modulus_Pa);
   t.peak.push_back(peak);
@@ -128,6 +129,7 @@ LawTable without_softening(const LawTable& table, bool elastic) {
   std::fill(result.softens.begin(), result.softens.end(), 0);
   if (elastic) std::fill(result.peak.begin(), result.peak.end(), beyond_reach);
   result.viscous = {};
+  result.band_m = 0;
   result.floor = result.peak;
   std::fill(result.amplitude.begin(), result.amplitude.end(), 0.0);
   std::fill(result.exp_end.begin(), result.exp_end.end(), endless);

@@ -28,7 +28,8 @@ struct LawTable {
   std::vector<std::int32_t> softens;   ///< 0 or 1
   std::vector<std::int32_t> material;  ///< index in the section's materials, by name
   ViscousLaws viscous;                 ///< empty where no material has such a law
-  double stiffest_speed = 0;           ///< largest sqrt((K + 4/3 G) / rho), m/s
+  double band_m = 0;          ///< thickness of a band that strain is averaged over; 0: it is not
+  double stiffest_speed = 0;  ///< largest sqrt((K + 4/3 G) / rho), m/s
 
   std::size_t rows() const { return peak.size(); }
   SofteningCurve curve(std::size_t row) const;

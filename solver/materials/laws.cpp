@@ -56,6 +56,7 @@ Laws<Real> narrow_laws(const LawTable& t, bool softer) {
   laws.last = narrow<Real>(t.last);
   laws.viscous = narrow<Real>(t.viscous);
   laws.softens = std::ranges::any_of(t.softens, [](std::int32_t one) { return one != 0; });
+  laws.band = t.band_m > 0;
   laws.softer = softer;
   return laws;
 }

@@ -28,6 +28,7 @@ struct Laws {
   std::vector<Real> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
   ViscousRows<Real> viscous;
   bool softens = false;  ///< a row has a softening law
+  bool band = false;     ///< softening goes by the strain averaged over a band
   /// Whether thin and strained ground, which would limit the time step of the whole model, gets
   /// lower moduli (solver/kernel/softer-inl.hpp).
   bool softer = false;

@@ -39,6 +39,8 @@ SofteningCurve softening_curve(const Softening& softening, double peak_strength_
       return scale_decay(curve, scale);
     case Regularization::whole_curve:
       return scale_whole_curve(curve, scale);
+    case Regularization::band:
+      return scale_whole_curve(curve, softening.band_m / softening.reference_size_m);
     case Regularization::none:
       break;
   }

@@ -78,6 +78,7 @@ void transfer_model(Archive& archive, AnyModelOf& model) {
   archive("model.strayed", model.strayed);
   archive("model.kept", model.kept);
   archive("model.rest", model.rest);
+  archive("model.yielded", model.yielded);
   archive("model.steps", model.steps);
   archive("model.wakes", model.wakes);
 }
@@ -118,12 +119,13 @@ bool groups_fit(const Model<Real>& model) {
 template <class Real>
 bool fits(const Model<Real>& model, std::size_t seeded, std::size_t laws) {
   const auto& packs = model.packs;
-  const std::size_t mass = model.settings.softer ? model.grid.columns * model.grid.stride : 0;
+  const bool keeps_mass = model.settings.softer || model.grid.band.exists();
+  const std::size_t mass = keeps_mass ? model.grid.columns * model.grid.stride : 0;
   const std::size_t size = packs.pack.size();
   if (packs.place.size() != size || packs.motion.size() != size || packs.strayed.size() != size ||
       !model.kept || model.grid.top.size() != model.grid.columns ||
       model.grid.mass.size() != mass || model.rest.size() != groups_of(model.grid.columns) ||
-      !groups_fit(model)) {
+      model.yielded.size() != model.rest.size() || !groups_fit(model)) {
     return false;
   }
   std::size_t points = 0;

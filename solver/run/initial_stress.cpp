@@ -104,9 +104,9 @@ void begin_quiet(RunState& run) {
                                .rests = false,
                                .held = true};
   // Seeds stand under the ground, so all of them lie on the grid.
-  run.model =
-      make_model<double>(run.seeded.particles, quiet_size(run.seeded), run.seeded.laws, settings)
-          .value();
+  run.model = make_model<double>(run.seeded.particles, quiet_size(run.seeded),
+                                 without_softening(run.seeded.laws, true), settings)
+                  .value();
   Particles().swap(run.seeded.particles);  // an assignment would keep the memory
 }
 

@@ -27,6 +27,7 @@ struct Strength {
 enum class Regularization {
   beta,         ///< the rate of decay alone, as the thesis does (4.5, 5.4.1)
   whole_curve,  ///< every strain of the curve
+  band,         ///< every strain, to a band of its own thickness over which the strain is averaged
   none
 };
 
@@ -77,7 +78,11 @@ struct Softening {
   SofteningLaw law;
   double reference_size_m = 0.014;  ///< height of the specimen the law was measured on
   Regularization regularization = Regularization::beta;
+  double band_m = 0;  ///< thickness of a band; of Regularization::band alone
 };
+
+/// The largest cell a band can have, of its thickness (solver/kernel/band.hpp).
+inline constexpr double most_cell_of_band = 0.5;
 
 /// Effective-stress strength. Used by screening; the simulation is one of total stress.
 struct DrainedStrength {

@@ -46,6 +46,18 @@ void check_cell_against_ground(const Section& section, const Resolution& resolut
   }
 }
 
+void check_cell_against_band(const Section& section, double cell, FaultList& faults) {
+  for (const auto& [name, m] : section.materials) {
+    if (!m.softening || m.softening->regularization != Regularization::band) continue;
+    const double most = most_cell_of_band * m.softening->band_m;
+    if (!(most > 0) || cell <= most * (1 + 1e-9)) continue;
+    faults.add("/resolution/cell_m", "is " + show(cell) + " m, must be at most " + show(most) +
+                                         " m, half of the band of " + name + " (band_m " +
+                                         show(m.softening->band_m) + " m)");
+    return;
+  }
+}
+
 bool check_resolution(const Resolution& resolution, FaultList& faults) {
   constexpr std::array squares{1, 4, 9, 16, 25};
   const bool cell = faults.positive("/resolution/cell_m", resolution.cell_m, "m");
@@ -209,6 +221,7 @@ std::vector<Fault> validate(const Section& section, const RunSettings& settings)
   check_trigger(section, ground, bank, settings.trigger, faults);
   const bool resolution = check_resolution(settings.resolution, faults);
   if (ground && resolution) check_cell_against_ground(section, settings.resolution, faults);
+  if (resolution) check_cell_against_band(section, settings.resolution.cell_m, faults);
   check_run(settings, faults);
   return faults.take();
 }

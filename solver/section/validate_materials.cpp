@@ -195,9 +195,35 @@ void check_material(const Material& m, const std::string& at, FaultList& faults)
     const std::string softening = at + "/softening";
     std::visit(LawCheck{softening, sound_peak_kPa(m.peak_strength), faults}, m.softening->law);
     faults.positive(softening + "/reference_size_m", m.softening->reference_size_m, "m");
+    if (m.softening->regularization == Regularization::band) {
+      faults.positive(softening + "/band_m", m.softening->band_m, "m");
+    }
   }
   if (m.rate) std::visit(RateCheck{at + "/rate", faults}, *m.rate);
   if (m.flow) std::visit(FlowCheck{at + "/flow", faults}, *m.flow);
+}
+
+/// Strain is averaged over one band in all of the ground: all that softens has to name the same.
+void check_bands(const std::map<std::string, Material>& materials, const std::string& at,
+                 FaultList& faults) {
+  const auto with_band = std::ranges::find_if(materials, [](const auto& entry) {
+    const auto& softening = entry.second.softening;
+    return softening && softening->regularization == Regularization::band;
+  });
+  if (with_band == materials.end()) return;
+  const double band = with_band->second.softening->band_m;
+  for (const auto& [name, m] : materials) {
+    if (!m.softening) continue;
+    const std::string softening = at + "/" + pointer_part(name) + "/softening";
+    if (m.softening->regularization != Regularization::band) {
+      faults.add(softening + "/regularization",
+                 "must be band, as of " + with_band->first + ": all materials that soften or none");
+    } else if (m.softening->band_m != band) {
+      faults.add(softening + "/band_m", "is " + show(m.softening->band_m) + " m, must be " +
+                                            show(band) + " m as of " + with_band->first +
+                                            ": a section has one thickness of bands");
+    }
+  }
 }
 
 }  // namespace
@@ -209,6 +235,7 @@ std::vector<Fault> validate_materials(const std::map<std::string, Material>& mat
   for (const auto& [name, material] : materials) {
     check_material(material, at + "/" + pointer_part(name), faults);
   }
+  check_bands(materials, at, faults);
   return faults.take();
 }
 

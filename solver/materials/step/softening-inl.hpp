@@ -20,6 +20,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// Ground that keeps its peak strength.
 struct NoSoftening {
+  static constexpr bool band = false;
+
   template <class D, class Laws>
   static HWY_INLINE hn::Vec<D> strength(D, const LawRows<D>& row, const Laws& laws, hn::Vec<D>) {
     return row(laws.peak);
@@ -28,6 +30,8 @@ struct NoSoftening {
 
 /// s_u at the start of the step: the peak until the first yield, then the curve at gamma.
 struct CurveSoftening {
+  static constexpr bool band = false;
+
   template <class D, class Laws>
   static HWY_INLINE hn::Vec<D> strength(D d, const LawRows<D>& row, const Laws& laws,
                                         hn::Vec<D> gamma) {
@@ -43,6 +47,11 @@ struct CurveSoftening {
     s = hn::IfThenElse(hn::Ge(gamma, row(laws.line_end)), row(laws.last), s);
     return hn::IfThenElse(yielded, s, peak);
   }
+};
+
+/// The same, gamma being averaged over a band (solver/kernel/band.hpp).
+struct BandSoftening : CurveSoftening {
+  static constexpr bool band = true;
 };
 
 }  // namespace leda::solver::HWY_NAMESPACE

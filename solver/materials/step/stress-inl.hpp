@@ -39,7 +39,8 @@ HWY_INLINE auto with_parts(const Laws& laws, const Use& use) {
   const auto rate = [&](auto softening) {
     return laws.viscous.rated ? flow(softening, FactorRate{}) : flow(softening, NoRate{});
   };
-  return laws.softens ? rate(CurveSoftening{}) : rate(NoSoftening{});
+  if (!laws.softens) return rate(NoSoftening{});
+  return laws.band ? rate(BandSoftening{}) : rate(CurveSoftening{});
 }
 
 template <class D>
