@@ -41,12 +41,12 @@ HWY_INLINE void mirror_band(const Grid<Real>& grid, std::vector<Real>& of, std::
   if (column == ghost - 2) std::copy_n(own, rows, grid.at(of, ghost, 0));
 }
 
-/// Rows that smoothing reads and writes in columns first to last - 1.
+/// Rows that smoothing reaches in columns first to last - 1: a row more with each pass.
 template <class Real>
 std::size_t band_rows(const Grid<Real>& grid, std::size_t first, std::size_t last) {
   std::size_t top = 0;
   for (std::size_t i = first - 1; i <= last; ++i) top = std::max(top, grid.top[i]);
-  return whole_rows(top);
+  return whole_rows(std::min(top + grid.band.passes, grid.rows));
 }
 
 /// Kernel::add_up_band. The ground goes on beyond an edge, as for the masses that the grid keeps:
@@ -80,7 +80,7 @@ HWY_INLINE void add_up_band(D d, Grid<Number<D>>& grid, std::size_t first, std::
       for (std::size_t k = 0; k < top; ++k) to[k] += to[k];
     }
     if (band.passes == 0) divide_by_mass(d, grid.mass_at(i, 0), grid.h, top, to);
-    mirror_band(grid, band.strain[0], i, top);
+    mirror_band(grid, band.strain[0], i, all);
   }
 }
 

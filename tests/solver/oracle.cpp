@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace leda::solver::test {
@@ -79,6 +80,7 @@ void Oracle::to_nodes() {
       n.pz += w * p.mass * (p.vz + p.czx * dx + p.czz * dz);
       n.fx -= p.volume * ((p.sxx + more) * gx + p.sxz * gz);
       n.fz -= p.volume * (p.sxz * gx + (p.szz + more) * gz);
+      n.strained += w * p.mass * p.plastic_step;
     });
   }
 }
@@ -96,6 +98,7 @@ void Oracle::fold_edges() {
       n.pz += g.pz;
       n.fx -= g.fx;
       n.fz += g.fz;
+      n.strained += g.strained;
       at(edge, k).px = at(edge, k).fx = 0;
     }
   }
@@ -107,6 +110,7 @@ void Oracle::fold_edges() {
     n.pz -= g.pz;
     n.fx -= g.fx;
     n.fz -= g.fz;
+    n.strained += g.strained;
     at(i, 1).px = at(i, 1).pz = at(i, 1).fx = at(i, 1).fz = 0;
   }
 }
@@ -132,6 +136,50 @@ void Oracle::mirror_edges() {
   }
 }
 
+// One pass of (share, 1 - 2 share, share) along both axes; ghost nodes are images.
+void Oracle::smooth(double Node::*value, double share) {
+  for (const auto& [di, dk] : {std::pair{0, 1}, std::pair{1, 0}}) {
+    std::vector<Node> before = nodes_;
+    const auto old = [&](std::size_t i, std::size_t k) {
+      return k < size_.rows ? before[i * size_.rows + k].*value : 0.0;
+    };
+    for (std::size_t i = 1; i + 1 < size_.columns; ++i) {
+      for (std::size_t k = 1; k < size_.rows; ++k) {
+        const double beside = old(i - di, k - dk) + old(i + di, k + dk);
+        at(i, k).*value = (1 - 2 * share) * old(i, k) + share * beside;
+      }
+      at(i, 0).*value = at(i, 2).*value;
+    }
+    for (std::size_t k = 0; k < size_.rows; ++k) {
+      at(0, k).*value = at(2, k).*value;
+      at(size_.columns - 1, k).*value = at(size_.columns - 3, k).*value;
+    }
+  }
+}
+
+// The strain of the step as its average over a band (solver/kernel/band.hpp).
+void Oracle::average_band() {
+  const double s = laws_.band_m / size_.h / std::sqrt(2 * std::numbers::pi);
+  const double rest = std::max(0.0, s * s - 2.0 / 3);
+  const double passes = std::ceil(2 * rest);
+  const std::size_t last = size_.columns - 1;
+  for (std::size_t i = 1; i < last; ++i) {
+    const double sides = i == 1 || i == last - 1 ? 2 : 1;
+    for (std::size_t k = 1; k < size_.rows; ++k) at(i, k).strained *= sides * (k == 1 ? 2 : 1);
+  }
+  for (Node& n : nodes_) {
+    if (&n < &at(1, 0) || &n >= &at(last, 0)) n.strained = 0;
+  }
+  smooth(&Node::strained, 0);  // the images
+  for (Node& n : nodes_) n.weight = n.seen;
+  for (double pass = 0; pass < passes; ++pass) {
+    smooth(&Node::strained, rest / 2 / passes);
+    smooth(&Node::weight, rest / 2 / passes);
+  }
+  const double least = 1e-11 * size_.h * size_.h;
+  for (Node& n : nodes_) n.strained = n.weight > least ? n.strained / n.weight : 0.0;
+}
+
 void Oracle::move_nodes(const StepSettings& s, GridSums& sums) {
   for (Node& n : nodes_) n.fz -= n.mass * s.gravity;
   fold_edges();
@@ -150,6 +198,7 @@ void Oracle::move_nodes(const StepSettings& s, GridSums& sums) {
     }
   }
   mirror_edges();
+  if (laws_.band_m > 0) average_band();
 }
 
 double Oracle::strength(const Particle& p, double shear_rate, bool rated) const {
@@ -217,7 +266,9 @@ void Oracle::stress(Particle& p, const double (&e)[3], double spin, double dt, d
       next[order[i]] = back[i];
       square += (own[order[i]] - back[i]) * (own[order[i]] - back[i]);
     }
-    p.plastic_strain += std::sqrt(0.5 * square) / g;
+    p.plastic_step = std::sqrt(0.5 * square) / g;
+    if (laws_.band_m == 0) p.plastic_strain += p.plastic_step;
+    p.plastic_strain = std::max(p.plastic_strain, 1e-150);
   }
   const double shrink = radius > 0 ? 0.5 * (next[0] - next[1]) / radius : 0.0;
   p.sxx = 0.5 * (next[0] + next[1]) + 0.5 * (xx - zz) * shrink;
@@ -230,7 +281,7 @@ void Oracle::stress(Particle& p, const double (&e)[3], double spin, double dt, d
 
 void Oracle::to_points(const StepSettings& s, PointSums& sums) {
   struct Gradient {
-    double xx = 0, xz = 0, zx = 0, zz = 0, seen = 0;
+    double xx = 0, xz = 0, zx = 0, zz = 0, seen = 0, softening = 0;
   };
   std::vector<Gradient> gradient(particles_.size());
   std::vector<double> dilation(particles_.size());
@@ -251,6 +302,7 @@ void Oracle::to_points(const StepSettings& s, PointSums& sums) {
       l.zx += n.vz * gx;
       l.zz += n.vz * gz;
       l.seen += w * n.seen;
+      l.softening += w * n.strained;
     });
     dilation[i] = l.xx + l.zz;
   }
@@ -261,6 +313,8 @@ void Oracle::to_points(const StepSettings& s, PointSums& sums) {
     const Span& span = spans.at(cell_of(p));
     const double more = settings_.averages ? 0.5 * (span.sum / span.volume - dilation[i]) : 0.0;
     const double e[3] = {s.dt * (l.xx + more), s.dt * (l.zz + more), 0.5 * s.dt * (l.xz + l.zx)};
+    p.plastic_step = 0;
+    if (laws_.band_m > 0 && p.plastic_strain > 0) p.plastic_strain += l.softening;
     stress(p, e, 0.5 * s.dt * (l.xz - l.zx), s.dt, softer(p, l.seen), sums);
     sums.momentum_x += p.mass * p.vx;
     sums.momentum_z += p.mass * p.vz;

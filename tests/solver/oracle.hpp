@@ -22,7 +22,9 @@ class Oracle {
  private:
   struct Node {
     double mass = 0, px = 0, pz = 0, fx = 0, fz = 0, vx = 0, vz = 0;
-    double seen = 0;  ///< mass as if the ground went on beyond the edges
+    double seen = 0;      ///< mass as if the ground went on beyond the edges
+    double weight = 0;    ///< the same, smoothed
+    double strained = 0;  ///< sum w m (plastic strain of the step); its average over the band
   };
   struct Span {
     double volume = 0, sum = 0;
@@ -36,6 +38,8 @@ class Oracle {
   void to_nodes();
   void fold_edges();
   void mirror_edges();
+  void average_band();
+  void smooth(double Node::*value, double share);
   void move_nodes(const StepSettings& settings, GridSums& sums);
   void to_points(const StepSettings& settings, PointSums& sums);
   double strength(const Particle& p, double shear_rate, bool rated) const;

@@ -57,6 +57,12 @@ Section with(SofteningLaw law, Regularization regularization = Regularization::n
   return s;
 }
 
+Section with_band(double band_m) {
+  Section s = with(UrmiSoftening{0.95, 2.8, 1.8, 500, {}, {}}, Regularization::band);
+  s.materials["clay"].softening->band_m = band_m;
+  return s;
+}
+
 Section with_rate(const RateLaw& rate) {
   Section s = bank(10, 30, 25e3);
   s.materials["clay"].rate = rate;
@@ -73,6 +79,8 @@ std::vector<Scene> scenes() {
   Section plastic = bank(10, 30, 25e3), nearly = bank(10, 30, 25e3);
   plastic.materials["clay"].softening.reset();
   nearly.materials["clay"].poisson_ratio = 0.499;
+  Section thick_nearly = with_band(5);
+  thick_nearly.materials["clay"].poisson_ratio = 0.49;
   Section all = with_rate(SemiLogarithmicRate{0.1, 1e-4});
   all.materials["clay"].flow = BinghamFlow{300};
   all.materials["clay"].poisson_ratio = 0.49;
@@ -83,6 +91,10 @@ std::vector<Scene> scenes() {
       scene("einav-randolph", with(EinavRandolphSoftening{500, 1.2})),
       scene("exponential", with(ExponentialSoftening{500, 3})),
       scene("linear", with(LinearSoftening{500, 1.5})),
+      scene("band of two cells", with_band(2)),
+      scene("band of five cells", with_band(5)),
+      scene("band, averaged dilation", thick_nearly, {.averages = true}),
+      scene("band, long steps", with_band(5), {.softer = true}),
       scene("dey", with(DeySoftening{2000, 0.4, 3, 500})),
       scene("semi-logarithmic rate", with_rate(SemiLogarithmicRate{0.1, 1e-4})),
       scene("power rate", with_rate(PowerRate{0.08, 1e-4})),
