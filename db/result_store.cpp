@@ -50,6 +50,7 @@ SectionResult result_from(Query& row) {
                        .front = {row.real(), row.real()},
                        .trigger_used = row.text(),
                        .slides = row.small_integer(),
+                       .rate_from_s = {},
                        .simulated_s = row.real(),
                        .run_time_s = row.real(),
                        .steps = row.integer(),

@@ -34,6 +34,8 @@ json to_document(const Material& m) {
   }
   if (m.softening) out["softening"] = leda::server::to_document(*m.softening);
   if (m.rate) out["rate"] = leda::server::to_document(*m.rate);
+  if (m.remolded_rate) out["rate"]["remolded"] = leda::server::to_document(*m.remolded_rate);
+  if (m.tensile_strength_Pa) out["tensile_strength_kPa"] = per_kilo(*m.tensile_strength_Pa);
   if (m.flow) out["flow"] = leda::server::to_document(*m.flow);
   return out;
 }

@@ -152,6 +152,7 @@ SectionResult read_members(ObjectReader& reader, FaultList& faults) {
   result.slides = slides <= 1'000'000 ? int(slides) : -1;
   result.steps = read_count(reader, "steps");
   result.particles = read_count(reader, "particles");
+  if (reader.find("rate_from_s")) result.rate_from_s = reader.number("rate_from_s");
   read_balances(reader, result, faults);
   read_profile(reader, result, faults);
   read_engine(reader, result, faults);
@@ -197,6 +198,7 @@ json to_document(const SectionResult& as_run) {
            {"case_sha256", result.case_sha256},
            {"version", result.version},
            {"profile_after_m", json::array()}};
+  if (result.rate_from_s) out["rate_from_s"] = *result.rate_from_s;
   if (result.engine) out["engine"] = to_document(*result.engine);
   for (const auto& [name, member] : numbers) out[name] = result.*member;
   for (const auto& [name, member] : points) {

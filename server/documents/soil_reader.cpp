@@ -107,6 +107,16 @@ std::optional<Softening> read_softening(const json& value, const std::string& at
   return softening;
 }
 
+// The law of the strength above the remolded one, and in it that of the remolded strength.
+void read_rates(const json& value, const std::string& at, Material& m, FaultList& faults) {
+  json above = value;
+  if (above.is_object()) above.erase("remolded");
+  m.rate = read_rate(above, at, faults);
+  if (value.is_object() && value.contains("remolded")) {
+    m.remolded_rate = read_rate(value.at("remolded"), at + "/remolded", faults);
+  }
+}
+
 Material read_material(const json& value, const std::string& at, ReadMaterials& result,
                        FaultList& faults) {
   Material m;
@@ -128,7 +138,10 @@ Material read_material(const json& value, const std::string& at, ReadMaterials& 
     m.softening = read_softening(*softening, reader.at("softening"), faults);
   }
   if (const json* rate = reader.find("rate")) {
-    m.rate = read_rate(*rate, reader.at("rate"), faults);
+    read_rates(*rate, reader.at("rate"), m, faults);
+  }
+  if (reader.find("tensile_strength_kPa")) {
+    m.tensile_strength_Pa = reader.number("tensile_strength_kPa") * kilo;
   }
   if (const json* flow = reader.find("flow")) {
     m.flow = read_flow(*flow, reader.at("flow"), faults);

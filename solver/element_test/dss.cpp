@@ -78,12 +78,15 @@ void cut_at(std::vector<DssPoint>& points, double strain) {
 }  // namespace
 
 SofteningCurve at_rate(const SofteningCurve& law, const Material& material, double rate) {
-  const double factor = material.rate ? strength_factor(*material.rate, rate) : 1.0;
+  const double above = material.rate ? strength_factor(*material.rate, rate) : 1.0;
+  const double below =
+      material.remolded_rate ? strength_factor(*material.remolded_rate, rate) : 1.0;
   const double viscous = material.flow ? flow_stress(*material.flow, 0, rate) : 0.0;
   SofteningCurve moved = law;
-  moved.amplitude *= factor;
+  moved.amplitude *= above;
   for (double* strength : {&moved.peak, &moved.floor, &moved.line_start, &moved.last}) {
-    *strength = factor * *strength + viscous;
+    const double remolded = std::min(material.remolded_strength_Pa(), *strength);
+    *strength = below * remolded + above * (*strength - remolded) + viscous;
   }
   return moved;
 }

@@ -35,9 +35,10 @@ SofteningCurve perfectly_plastic(double peak_Pa);
 /// 5 % of strain in an hour, as a standard direct simple shear test is run, 1/s.
 inline constexpr double standard_shear_rate = 0.05 / 3600;
 
-/// The curve of a test at another engineering shear rate, 1/s: all strengths times the rate law's
-/// factor, plus the viscous stress of the flow law. Elastic strain is left out of the rate, so the
-/// steepest part of the curve is an approximation.
+/// The curve of a test at another engineering shear rate, 1/s: what lies above the remolded
+/// strength times the rate law's factor, the remolded strength times its own, plus the viscous
+/// stress of the flow law. Elastic strain is left out of the rate, so the steepest part of the
+/// curve is an approximation.
 SofteningCurve at_rate(const SofteningCurve& law, const Material& material, double rate);
 
 /// Where a test ends by itself: 5 % beyond the strain where the law ends, or where 99.99 % of an

@@ -15,8 +15,7 @@ constexpr int strength_steps = 1000;  // of the largest strength: a rounding of 
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double locking_ratio =  // K / G
     2 * (1 + locking_poisson_ratio) / (3 * (1 - 2 * locking_poisson_ratio));
-constexpr double beyond_reach = 1e30;  // Pa: no stress gets there
-constexpr double no_rate = 1e-300;     // of the reference: its logarithm is still a number
+constexpr double no_rate = 1e-300;  // of the reference: its logarithm is still a number
 
 SofteningCurve perfectly_plastic(double peak) {
   SofteningCurve curve;
@@ -29,6 +28,15 @@ struct RateRow {
   double base = 1, log_share = 0, power_share = 0, exponent = 0, least = 1, reference = 1;
 };
 
+void add(const RateRow& row, RateColumns& columns) {
+  columns.base.push_back(row.base);
+  columns.log_share.push_back(row.log_share);
+  columns.power_share.push_back(row.power_share);
+  columns.exponent.push_back(row.exponent);
+  columns.least.push_back(row.least);
+  columns.reference.push_back(row.reference);
+}
+
 RateRow rate_row(const SemiLogarithmicRate& law) {
   return {.log_share = law.per_decade / std::numbers::ln10, .reference = law.reference_rate};
 }
@@ -40,6 +48,11 @@ RateRow rate_row(const AdditivePowerRate& law) {
           .exponent = law.exponent,
           .least = no_rate,
           .reference = law.reference_rate};
+}
+
+RateRow rate_row(const std::optional<RateLaw>& law) {
+  if (!law) return {};
+  return std::visit([](const auto& one) { return rate_row(one); }, *law);
 }
 
 double p_wave_speed(const Material& m) {
@@ -76,7 +89,10 @@ std::int32_t LawTableBuilder::add(std::size_t material_index, double peak) {
   SofteningCurve curve = perfectly_plastic(peak);
   if (m.softening) curve = softening_curve(*m.softening, peak, cell_m_);
   LawTable& t = table_;
-  if (m.softening) t.band_m = std::max(t.band_m, m.softening->band_m);
+  if (m.softening && m.softening->band_m > 0) {
+    t.band_m = m.softening->band_m;
+    t.rate_share = cell_m_ / t.band_m;
+  }
   t.bulk.push_back(m.youngs_modulus_Pa() / (3 * (1 - 2 * m.poisson_ratio)));
   t.shear.push_back(m.shear_modulus_Pa);
   t.peak.push_back(peak);
@@ -90,6 +106,7 @@ std::int32_t LawTableBuilder::add(std::size_t material_index, double peak) {
   t.line_slope.push_back(has_line ? (curve.last - curve.line_start) / length : 0.0);
   t.line_end.push_back(curve.line_end);
   t.last.push_back(curve.last);
+  t.tension.push_back(m.tensile_strength_Pa.value_or(beyond_reach));
   t.softens.push_back(m.softening ? 1 : 0);
   t.material.push_back(static_cast<std::int32_t>(material_index));
   if (viscous_) add_viscous(m);
@@ -98,15 +115,10 @@ std::int32_t LawTableBuilder::add(std::size_t material_index, double peak) {
 }
 
 void LawTableBuilder::add_viscous(const Material& m) {
-  RateRow row;
-  if (m.rate) row = std::visit([](const auto& law) { return rate_row(law); }, *m.rate);
   ViscousLaws& v = table_.viscous;
-  v.base.push_back(row.base);
-  v.log_share.push_back(row.log_share);
-  v.power_share.push_back(row.power_share);
-  v.exponent.push_back(row.exponent);
-  v.least.push_back(row.least);
-  v.reference.push_back(row.reference);
+  leda::solver::add(rate_row(m.rate), v.rate);
+  leda::solver::add(rate_row(m.remolded_rate), v.remolded_rate);
+  v.remolded.push_back(m.remolded_strength_Pa());
   HerschelBulkleyFlow flow;
   if (m.flow) {
     const auto* bingham = std::get_if<BinghamFlow>(&*m.flow);
@@ -124,11 +136,36 @@ bool nearly_incompressible(const LawTable& table) {
   return false;
 }
 
+namespace {
+
+bool depends(const RateColumns& rate) {
+  const auto is_some = [](double share) { return share != 0; };
+  return std::ranges::any_of(rate.log_share, is_some) ||
+         std::ranges::any_of(rate.power_share, is_some);
+}
+
+}  // namespace
+
+bool has_rate(const LawTable& table) {
+  return depends(table.viscous.rate) || depends(table.viscous.remolded_rate);
+}
+
+LawTable without_rate(const LawTable& table) {
+  LawTable result = table;
+  for (RateColumns* rate : {&result.viscous.rate, &result.viscous.remolded_rate}) {
+    std::ranges::fill(rate->base, 1.0);
+    std::ranges::fill(rate->log_share, 0.0);
+    std::ranges::fill(rate->power_share, 0.0);
+  }
+  return result;
+}
+
 LawTable without_softening(const LawTable& table, bool elastic) {
   LawTable result = table;
   std::fill(result.softens.begin(), result.softens.end(), 0);
   if (elastic) std::fill(result.peak.begin(), result.peak.end(), beyond_reach);
   result.viscous = {};
+  std::ranges::fill(result.tension, beyond_reach);
   result.band_m = 0;
   result.floor = result.peak;
   std::fill(result.amplitude.begin(), result.amplitude.end(), 0.0);

@@ -10,14 +10,20 @@
 
 namespace leda::solver {
 
-/// Laws of rate and flow, one entry a row. The three rate laws are one formula, with
-/// r = max(least, rate / reference):
+/// Rate laws, one entry a row. All three are one formula, with r = max(least, rate / reference):
 /// factor = base + log_share ln r + power_share r^exponent.
-struct ViscousLaws {
+struct RateColumns {
   std::vector<double> base, log_share, power_share, exponent, least, reference;
+};
+
+/// Laws of rate and flow, one entry a row.
+struct ViscousLaws {
+  RateColumns rate;              ///< of the strength above the remolded one
+  RateColumns remolded_rate;     ///< of the remolded strength
+  std::vector<double> remolded;  ///< remolded strength, Pa; 0 of ground that does not soften
   std::vector<double> consistency, flow_exponent;  ///< Pa s^n and n; consistency 0: does not flow
 
-  bool empty() const { return base.empty(); }
+  bool empty() const { return remolded.empty(); }
 };
 
 /// One entry a row in every array. A row stands for one material at one peak strength.
@@ -25,10 +31,14 @@ struct LawTable {
   std::vector<double> bulk, shear;  ///< K, G, Pa
   std::vector<double> peak;         ///< s_up, Pa
   std::vector<double> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
+  std::vector<double> tension;  ///< tensile strength before any softening, Pa; beyond reach: none
   std::vector<std::int32_t> softens;   ///< 0 or 1
   std::vector<std::int32_t> material;  ///< index in the section's materials, by name
   ViscousLaws viscous;                 ///< empty where no material has such a law
-  double band_m = 0;          ///< thickness of a band that strain is averaged over; 0: it is not
+  double band_m = 0;  ///< thickness of a band that strain is averaged over; 0: it is not
+  /// Shear rate that a rate law takes, of the point's own: a slip in one row of cells has the rate
+  /// v / cell there, the band that stands for it v / band. 1 without a band.
+  double rate_share = 1;
   double stiffest_speed = 0;  ///< largest sqrt((K + 4/3 G) / rho), m/s
 
   std::size_t rows() const { return peak.size(); }
@@ -54,16 +64,25 @@ class LawTableBuilder {
   LawTable table_;
 };
 
+/// Stress that nothing gets to, Pa: a limit that is none.
+inline constexpr double beyond_reach = 1e30;
+
 /// Ground of a higher Poisson's ratio locks unless dilation is averaged.
 inline constexpr double locking_poisson_ratio = 0.46;
 
 /// Whether strength or stress depends on the rate of shear.
-inline bool is_viscous(const Material& m) { return m.rate || m.flow; }
+inline bool is_viscous(const Material& m) { return m.rate || m.remolded_rate || m.flow; }
 
 /// Whether a law locks: K / G above that of locking_poisson_ratio.
 bool nearly_incompressible(const LawTable& table);
 
-/// The same laws without softening, rate and flow; without yield where `elastic`.
+/// Whether strength depends on the rate in any row.
+bool has_rate(const LawTable& table);
+
+/// The same laws, strength being that of the laboratory's rate.
+LawTable without_rate(const LawTable& table);
+
+/// The same laws without softening, rate, flow and tensile strength; without yield where `elastic`.
 LawTable without_softening(const LawTable& table, bool elastic);
 
 }  // namespace leda::solver

@@ -19,19 +19,28 @@ std::vector<Real> narrow(const std::vector<double>& column) {
 }
 
 template <class Real>
+RateRows<Real> narrow(const RateColumns& laws) {
+  RateRows<Real> r;
+  const auto is_some = [](double share) { return share != 0; };
+  r.depends = std::ranges::any_of(laws.log_share, is_some) ||
+              std::ranges::any_of(laws.power_share, is_some);
+  r.base = narrow<Real>(laws.base);
+  r.log_share = narrow<Real>(laws.log_share);
+  r.power_share = narrow<Real>(laws.power_share);
+  r.exponent = narrow<Real>(laws.exponent);
+  r.least = narrow<Real>(laws.least);
+  r.reference = narrow<Real>(laws.reference);
+  return r;
+}
+
+template <class Real>
 ViscousRows<Real> narrow(const ViscousLaws& laws) {
   ViscousRows<Real> v;
   if (laws.empty()) return v;
-  const auto is_rated = [](double share) { return share != 0; };
-  v.rated = std::ranges::any_of(laws.log_share, is_rated) ||
-            std::ranges::any_of(laws.power_share, is_rated);
+  v.rate = narrow<Real>(laws.rate);
+  v.remolded_rate = narrow<Real>(laws.remolded_rate);
+  v.remolded = narrow<Real>(laws.remolded);
   v.flows = std::ranges::any_of(laws.consistency, [](double eta) { return eta > 0; });
-  v.base = narrow<Real>(laws.base);
-  v.log_share = narrow<Real>(laws.log_share);
-  v.power_share = narrow<Real>(laws.power_share);
-  v.exponent = narrow<Real>(laws.exponent);
-  v.least = narrow<Real>(laws.least);
-  v.reference = narrow<Real>(laws.reference);
   v.consistency = narrow<Real>(laws.consistency);
   v.flow_exponent = narrow<Real>(laws.flow_exponent);
   return v;
@@ -55,6 +64,9 @@ Laws<Real> narrow_laws(const LawTable& t, bool softer) {
   laws.line_end = narrow<Real>(t.line_end);
   laws.last = narrow<Real>(t.last);
   laws.viscous = narrow<Real>(t.viscous);
+  laws.rate_share = static_cast<Real>(t.rate_share);
+  laws.tension = narrow<Real>(t.tension);
+  laws.cracks = std::ranges::any_of(t.tension, [](double one) { return one < beyond_reach; });
   laws.softens = std::ranges::any_of(t.softens, [](std::int32_t one) { return one != 0; });
   laws.band = t.band_m > 0;
   laws.softer = softer;

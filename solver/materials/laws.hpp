@@ -8,13 +8,19 @@
 
 namespace leda::solver {
 
+/// Rate law of each row (see RateColumns).
+template <class Real>
+struct RateRows {
+  bool depends = false;  ///< a row has one
+  std::vector<Real> base, log_share, power_share, exponent, least, reference;
+};
+
 /// Rate and flow of each row (see ViscousLaws). The flags say which parts a run needs at all.
 template <class Real>
 struct ViscousRows {
-  bool rated = false;  ///< a row has a rate law
   bool flows = false;  ///< a row has a flow law
-  std::vector<Real> base, log_share, power_share, exponent, least, reference;
-  std::vector<Real> consistency, flow_exponent;
+  RateRows<Real> rate, remolded_rate;
+  std::vector<Real> remolded, consistency, flow_exponent;
 };
 
 /// One entry a row. Columns go on with `padding` entries beyond the last row, so that two vectors
@@ -27,6 +33,9 @@ struct Laws {
   std::vector<Real> bulk, shear, peak;
   std::vector<Real> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
   ViscousRows<Real> viscous;
+  std::vector<Real> tension;
+  Real rate_share = 1;   ///< as in LawTable
+  bool cracks = false;   ///< a row has a tensile strength
   bool softens = false;  ///< a row has a softening law
   bool band = false;     ///< softening goes by the strain averaged over a band
   /// Whether thin and strained ground, which would limit the time step of the whole model, gets

@@ -45,6 +45,7 @@ void transfer_run(Archive& archive, Run& run) {
   archive("worst.energy", run.worst.energy);
   archive("numerical_dissipation", run.numerical_dissipation);
   archive("time", run.time);
+  archive("rate_since", run.rate_since);
   archive("fastest", run.fastest);
   archive("steps", run.steps);
   archive("particle_steps", run.particle_steps);
@@ -150,7 +151,7 @@ bool read_model(Reader& reader, RunState& run) {
   std::string names;
   reader("numbers", names);
   if (!reader.good() || names != names_of_numbers<Real>()) return false;
-  auto model = empty_model<Real>(run.seeded.size, run.seeded.laws, moving_settings(run));
+  auto model = empty_model<Real>(run.seeded.size, laws_now(run), moving_settings(run));
   transfer_model(reader, model);
   const std::size_t seeded = run.seeded.start_x.size(), laws = run.seeded.laws.rows();
   if (!reader.good() || !fits(model, seeded, laws)) return false;

@@ -132,7 +132,7 @@ std::optional<StageEnd> find_initial_stress(RunState& run, QuietMethod method) {
 void begin_moving(RunState& run) {
   const auto moving = [&]<class Real>(Real) {
     run.model = with_model(run.model, [&](const auto& model) -> AnyModel {
-      return converted<Real>(model, run.seeded.size, run.seeded.laws, moving_settings(run));
+      return converted<Real>(model, run.seeded.size, laws_now(run), moving_settings(run));
     });
   };
   run.settings->precision == Precision::double_precision ? moving(double{}) : moving(float{});

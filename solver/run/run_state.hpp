@@ -40,8 +40,9 @@ struct RunState {
   Balances worst;
   double numerical_dissipation = 0;
 
-  double time = 0;     ///< since softening is on, s
-  double fastest = 0;  ///< speed of the fastest particle, m/s
+  double time = 0;         ///< since softening is on, s
+  double rate_since = -1;  ///< strength depends on the rate since this time, s; below 0: not yet
+  double fastest = 0;      ///< speed of the fastest particle, m/s
   std::int64_t steps = 0;
   double particle_steps = 0;
   GridSums node_sums;  ///< of the last step
@@ -61,6 +62,9 @@ struct StageEnd {
   Why why = Why::at_rest;
   std::string reason;  ///< of left_domain and unstable
 };
+
+/// The laws that hold now: until ground slides, strength is that of the laboratory's rate.
+LawTable laws_now(const RunState& run);
 
 /// How the model of a moving stage is run.
 ModelSettings moving_settings(const RunState& run);

@@ -129,6 +129,7 @@ SectionResult result_of(RunState& run, const StageEnd& end) {
   r.backscarp = m.backscarp;
   r.front = m.front;
   r.slides = run.slides.count();
+  if (run.rate_since >= 0) r.rate_from_s = run.rate_since;
   r.simulated_s = run.time;
   r.steps = run.steps;
   r.particles = with_model(

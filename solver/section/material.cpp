@@ -35,4 +35,12 @@ double Strength::largest() const {
   return std::ranges::max(table, {}, strength_of)[1];
 }
 
+double Material::remolded_strength_Pa() const {
+  if (!softening) return 0;
+  if (const auto* dey = std::get_if<DeySoftening>(&softening->law)) {
+    return dey->large_strain_strength_Pa;
+  }
+  return std::visit([](const auto& law) { return law.remolded_strength_Pa; }, softening->law);
+}
+
 }  // namespace leda

@@ -98,9 +98,14 @@ struct Material {
   double k0 = 0.5;              ///< ratio of effective stresses
   std::optional<DrainedStrength> drained;
   std::optional<Softening> softening;  ///< absent: elastic, perfectly plastic
-  std::optional<RateLaw> rate;         ///< absent: strength does not depend on the rate of shear
-  std::optional<FlowLaw> flow;         ///< absent: no viscous stress beyond yield
+  /// Of the strength above the remolded one; absent: strength does not depend on the rate of shear.
+  std::optional<RateLaw> rate;
+  std::optional<RateLaw> remolded_rate;       ///< of the remolded strength; absent: none
+  std::optional<double> tensile_strength_Pa;  ///< before any softening; absent: no limit of its own
+  std::optional<FlowLaw> flow;                ///< absent: no viscous stress beyond yield
 
+  /// What is left after all softening: the part of the strength that `rate` does not act on.
+  double remolded_strength_Pa() const;
   double youngs_modulus_Pa() const { return 2 * shear_modulus_Pa * (1 + poisson_ratio); }
 };
 

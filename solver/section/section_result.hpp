@@ -36,6 +36,7 @@ struct SectionResult {
   Point front;                     ///< after
   std::string trigger_used;        ///< "none", "undrained", "toe-cut" or "excavation"
   int slides = 0;
+  std::optional<double> rate_from_s;  ///< when strength began to depend on the rate; absent: never
   double simulated_s = 0;
   double run_time_s = 0;
   std::int64_t steps = 0;

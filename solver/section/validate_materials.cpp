@@ -174,6 +174,14 @@ struct FlowCheck {
   }
 };
 
+/// Under uniaxial tension Tresca's surface ends at 2 s_up: a higher cut-off would never be reached.
+void check_tension(const Material& m, const std::string& at, FaultList& faults) {
+  const double value = *m.tensile_strength_Pa / kilo, most = 2 * sound_peak_kPa(m.peak_strength);
+  if (!faults.within(at, value, value >= 0, "at least 0 kPa") || value <= most) return;
+  faults.add(at, "is " + show(value) + " kPa, must be at most twice the peak strength (" +
+                     show(most) + " kPa where it is smallest), where shear yields first");
+}
+
 void check_material(const Material& m, const std::string& at, FaultList& faults) {
   const double unit_weight = m.unit_weight / kilo;
   // The upper bound catches N/m3 given for kN/m3.
@@ -200,6 +208,14 @@ void check_material(const Material& m, const std::string& at, FaultList& faults)
     }
   }
   if (m.rate) std::visit(RateCheck{at + "/rate", faults}, *m.rate);
+  if (m.remolded_rate) {
+    std::visit(RateCheck{at + "/rate/remolded", faults}, *m.remolded_rate);
+    if (!m.softening) {
+      faults.add(at + "/rate/remolded",
+                 "is given for ground that does not soften: it has no remolded strength");
+    }
+  }
+  if (m.tensile_strength_Pa) check_tension(m, at + "/tensile_strength_kPa", faults);
   if (m.flow) std::visit(FlowCheck{at + "/flow", faults}, *m.flow);
 }
 

@@ -207,9 +207,14 @@ double Oracle::strength(const Particle& p, double shear_rate, bool rated) const 
   double s = soft ? solver::strength(laws_.curve(row), p.plastic_strain) : laws_.peak[row];
   const ViscousLaws& v = laws_.viscous;
   if (!rated || v.empty()) return s;
-  const double r = std::max(v.least[row], shear_rate / v.reference[row]);
-  const double power = v.power_share[row] * std::pow(r, v.exponent[row]);
-  return s * (v.base[row] + v.log_share[row] * std::log(r) + power);
+  const auto factor = [&](const RateColumns& of) {
+    const double rate = laws_.rate_share * shear_rate;
+    const double r = std::max(of.least[row], rate / of.reference[row]);
+    const double power = of.power_share[row] * std::pow(r, of.exponent[row]);
+    return of.base[row] + of.log_share[row] * std::log(r) + power;
+  };
+  const double remolded = std::min(v.remolded[row], s);
+  return remolded * factor(v.remolded_rate) + (s - remolded) * factor(v.rate);
 }
 
 // G x + eta (x / dt)^n = excess by halving; the left side grows with x.

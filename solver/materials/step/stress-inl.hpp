@@ -12,7 +12,7 @@
 #include "solver/materials/step/flow-inl.hpp"
 #include "solver/materials/step/rate-inl.hpp"
 #include "solver/materials/step/softening-inl.hpp"
-#include "solver/materials/step/tresca-inl.hpp"
+#include "solver/materials/step/tension-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace leda::solver::HWY_NAMESPACE {
@@ -30,17 +30,19 @@ struct Parts {
 /// Calls use(Parts<...>{}) with the parts that these laws need.
 template <class Laws, class Use>
 HWY_INLINE auto with_parts(const Laws& laws, const Use& use) {
-  const auto flow = [&](auto softening, auto rate) {
+  const auto& v = laws.viscous;
+  const auto viscous = [&](auto yield, auto softening) {
+    using Y = decltype(yield);
     using S = decltype(softening);
-    using R = decltype(rate);
-    return laws.viscous.flows ? use(Parts<Tresca, S, R, ViscousFlow>{})
-                              : use(Parts<Tresca, S, R, NoFlow>{});
+    if (v.flows) return use(Parts<Y, S, FactorRate, ViscousFlow>{});
+    return v.rate.depends || v.remolded_rate.depends ? use(Parts<Y, S, FactorRate, NoFlow>{})
+                                                     : use(Parts<Y, S, NoRate, NoFlow>{});
   };
-  const auto rate = [&](auto softening) {
-    return laws.viscous.rated ? flow(softening, FactorRate{}) : flow(softening, NoRate{});
+  const auto softening = [&](auto yield) {
+    if (!laws.softens) return viscous(yield, NoSoftening{});
+    return laws.band ? viscous(yield, BandSoftening{}) : viscous(yield, CurveSoftening{});
   };
-  if (!laws.softens) return rate(NoSoftening{});
-  return laws.band ? rate(BandSoftening{}) : rate(CurveSoftening{});
+  return laws.cracks ? softening(TrescaWithTension{}) : softening(Tresca{});
 }
 
 template <class D>
@@ -60,25 +62,27 @@ HWY_INLINE StressStep<D> next_stress(D d, P, const LawRows<D>& row, const Laws& 
                                      hn::Vec<D> dt, const Moduli<hn::Vec<D>>& moduli) {
   using Yield = typename P::Yield;
   const auto trial = elastic_trial(d, old, e, spin, moduli);
-  const auto principal = Yield::principal(d, trial);
-  auto s = P::Softening::strength(d, row, laws, gamma);
-  auto yields = Yield::yields(d, principal, s);
+  const auto p = principal(d, trial);
+  auto limit = Yield::limits(d, row, laws, P::Softening::strength(d, row, laws, gamma));
+  auto yields = Yield::yields(d, p, limit);
   if constexpr (P::Rate::depends) {  // a factor below 1 there is none: what stands without it
                                      // stands
     if (!hn::AllFalse(d, yields)) {
-      s = s * P::Rate::factor(d, row, laws, shear_strain(d, e) / dt);
-      yields = Yield::yields(d, principal, s);
+      const auto rate = hn::Set(d, laws.rate_share) * shear_strain(d, e) / dt;
+      limit.shear = P::Rate::strength(d, row, laws, limit.shear, rate);
+      yields = Yield::yields(d, p, limit);
     }
   }
   if (hn::AllFalse(d, yields)) {
     return {trial, hn::Zero(d), work(d, old, trial, e), false};
   }
   if constexpr (P::Flow::flows) {  // what is left beyond yield is the viscous stress of this step
-    const auto excess = Yield::excess(d, principal, s);
+    const auto excess = Yield::excess(d, p, limit);
     const auto strain = P::Flow::strain(d, row, laws, excess, moduli.shear, dt);
-    s = hn::IfThenElse(yields, hn::NegMulAdd(moduli.shear, strain, s + excess), s);
+    const auto flowing = hn::NegMulAdd(moduli.shear, strain, limit.shear + excess);
+    limit.shear = hn::IfThenElse(hn::Gt(excess, hn::Zero(d)), flowing, limit.shear);
   }
-  const auto back = Yield::returned(d, trial, principal, s, moduli.shear);
+  const auto back = Yield::returned(d, trial, p, limit, moduli);
   const PlaneStress<hn::Vec<D>> next{hn::IfThenElse(yields, back.stress.xx, trial.xx),
                                      hn::IfThenElse(yields, back.stress.zz, trial.zz),
                                      hn::IfThenElse(yields, back.stress.xz, trial.xz),
