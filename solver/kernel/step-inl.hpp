@@ -163,7 +163,9 @@ HWY_INLINE void update(D d, P parts, Pack<Number<D>>& p, std::size_t l, const La
   sums.fastest = hn::Max(sums.fastest, hn::MulAdd(vx, vx, vz * vz));
   if (scale.move_per_h == 0) return;
   const auto move = hn::Set(d, scale.move_per_h);
-  hn::Store(hn::MulAdd(volume, strain.xx + strain.zz, volume), d, p.volume + l);
+  // What cracks open is no volume of the ground: its elastic energy must not grow by it.
+  const auto dilation = (strain.xx + strain.zz) - next.opening;
+  hn::Store(hn::MulAdd(volume, dilation, volume), d, p.volume + l);
   hn::Store(hn::MulAdd(vx, move, hn::Load(d, p.x + l)), d, p.x + l);
   hn::Store(hn::MulAdd(vz, move, hn::Load(d, p.z + l)), d, p.z + l);
 }

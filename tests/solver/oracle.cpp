@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "tests/solver/closest_point.hpp"
+
 namespace leda::solver::test {
 
 namespace {
@@ -238,8 +240,9 @@ double Oracle::softer(const Particle& p, double seen) const {
 }
 
 // Elastic with the Jaumann rate, then back to Tresca's surface in principal stresses.
-void Oracle::stress(Particle& p, const double (&e)[3], double spin, double dt, double soft,
-                    PointSums& sums) const {
+double Oracle::stress(Particle& p, const double (&e)[3], double spin, double dt, double soft,
+                      PointSums& sums) const {
+  double opening = 0;
   const auto row = static_cast<std::size_t>(p.law);
   const double g = soft * laws_.shear[row], lame = soft * laws_.bulk[row] - 2.0 / 3.0 * g;
   const double before[3] = {p.sxx, p.szz, p.sxz}, trace = e[0] + e[1];
@@ -251,26 +254,27 @@ void Oracle::stress(Particle& p, const double (&e)[3], double spin, double dt, d
   std::array<double, 3> own{centre + radius, centre - radius, p.syy + lame * trace};
   std::array<std::size_t, 3> order{0, 1, 2};
   std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return own[a] > own[b]; });
-  const double high = own[order[0]], mid = own[order[1]], low = own[order[2]];
+  const double high = own[order[0]], low = own[order[2]];
   const double m = trace / 3;
   const double rate =
       std::sqrt(2 * ((e[0] - m) * (e[0] - m) + (e[1] - m) * (e[1] - m) + m * m + 2 * e[2] * e[2])) /
       dt;
-  double s = strength(p, rate, high - low > 2 * strength(p, 0, false));
+  const double quasi_static = strength(p, 0, false);
+  const double tension =
+      laws_.tension.empty() ? beyond_reach : laws_.tension[row] * quasi_static / laws_.peak[row];
+  double s = strength(p, rate, high - low > 2 * quasi_static || high > tension);
   std::array<double, 3> next = own;
-  if (high - low > 2 * s) {
+  if (high - low > 2 * s || high > tension) {
     sums.yields = true;
     const double excess = 0.5 * (high - low) - s;
-    s += excess - g * flow_strain(p, excess, g, dt);
-    const double cut = 0.5 * (high - low) - s, sum = high + mid + low;
-    std::array<double, 3> back{high - cut, mid, low + cut};
-    if (mid > back[0]) back = {(sum + 2 * s) / 3, (sum + 2 * s) / 3, (sum - 4 * s) / 3};
-    if (mid < low + cut) back = {(sum + 4 * s) / 3, (sum - 2 * s) / 3, (sum - 2 * s) / 3};
-    double square = 0;
+    if (excess > 0) s += excess - g * flow_strain(p, excess, g, dt);
+    next = closest_point(own, {s, tension}, g, lame);
+    double square = 0, mean = 0;
+    for (std::size_t i = 0; i < 3; ++i) mean += (own[i] - next[i]) / 3;
     for (std::size_t i = 0; i < 3; ++i) {
-      next[order[i]] = back[i];
-      square += (own[order[i]] - back[i]) * (own[order[i]] - back[i]);
+      square += (own[i] - next[i] - mean) * (own[i] - next[i] - mean);
     }
+    opening = mean / (lame + 2.0 / 3.0 * g);
     p.plastic_step = std::sqrt(0.5 * square) / g;
     if (laws_.band_m == 0) p.plastic_strain += p.plastic_step;
     p.plastic_strain = std::max(p.plastic_strain, 1e-150);
@@ -282,6 +286,7 @@ void Oracle::stress(Particle& p, const double (&e)[3], double spin, double dt, d
   p.syy = next[2];
   sums.stress_work += p.volume * (0.5 * (before[0] + p.sxx) * e[0] +
                                   0.5 * (before[1] + p.szz) * e[1] + (before[2] + p.sxz) * e[2]);
+  return opening;
 }
 
 void Oracle::to_points(const StepSettings& s, PointSums& sums) {
@@ -320,12 +325,12 @@ void Oracle::to_points(const StepSettings& s, PointSums& sums) {
     const double e[3] = {s.dt * (l.xx + more), s.dt * (l.zz + more), 0.5 * s.dt * (l.xz + l.zx)};
     p.plastic_step = 0;
     if (laws_.band_m > 0 && p.plastic_strain > 0) p.plastic_strain += l.softening;
-    stress(p, e, 0.5 * s.dt * (l.xz - l.zx), s.dt, softer(p, l.seen), sums);
+    const double opening = stress(p, e, 0.5 * s.dt * (l.xz - l.zx), s.dt, softer(p, l.seen), sums);
     sums.momentum_x += p.mass * p.vx;
     sums.momentum_z += p.mass * p.vz;
     sums.fastest_squared = std::max(sums.fastest_squared, p.vx * p.vx + p.vz * p.vz);
     if (!s.move) continue;
-    p.volume *= 1 + e[0] + e[1];
+    p.volume *= 1 + e[0] + e[1] - opening;
   }
   for (Particle& p : particles_) {
     if (!s.move) break;

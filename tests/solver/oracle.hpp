@@ -45,8 +45,9 @@ class Oracle {
   double strength(const Particle& p, double shear_rate, bool rated) const;
   double flow_strain(const Particle& p, double excess, double shear, double dt) const;
   double softer(const Particle& p, double seen) const;
-  void stress(Particle& p, const double (&e)[3], double spin, double dt, double soft,
-              PointSums& sums) const;
+  /// @return what cracks open, of the volume
+  double stress(Particle& p, const double (&e)[3], double spin, double dt, double soft,
+                PointSums& sums) const;
 
   Particles particles_;
   GridSize size_;

@@ -81,8 +81,11 @@ std::vector<Scene> scenes() {
   nearly.materials["clay"].poisson_ratio = 0.499;
   Section thick_nearly = with_band(5);
   thick_nearly.materials["clay"].poisson_ratio = 0.49;
+  Section cracked = with(UrmiSoftening{0.95, 2.8, 1.8, 500, {}, {}});
+  cracked.materials["clay"].tensile_strength_Pa = 12e3;
   Section all = with_rate(SemiLogarithmicRate{0.1, 1e-4});
   all.materials["clay"].flow = BinghamFlow{300};
+  all.materials["clay"].tensile_strength_Pa = 12e3;
   all.materials["clay"].poisson_ratio = 0.49;
   return {
       scene("perfectly plastic", plastic),
@@ -96,6 +99,7 @@ std::vector<Scene> scenes() {
       scene("band, averaged dilation", thick_nearly, {.averages = true}),
       scene("band, long steps", with_band(5), {.softer = true}),
       scene("dey", with(DeySoftening{2000, 0.4, 3, 500})),
+      scene("tension cut-off", cracked),
       scene("semi-logarithmic rate", with_rate(SemiLogarithmicRate{0.1, 1e-4})),
       scene("power rate", with_rate(PowerRate{0.08, 1e-4})),
       scene("additive power rate", with_rate(AdditivePowerRate{0.3, 0.5, 1e-2})),
@@ -183,11 +187,16 @@ std::pair<double, std::string> worst(const Particles& found, const Particles& ex
 }
 
 // Double has 16 digits, of which sums of some thousand terms take three; single has 7, and stresses
-// are differences of values up to ten times as large. Without fused products every product is
-// rounded once more.
+// are differences of values up to ten times as large; in ground that cracks, whose pull takes its
+// mean stress away as well, of values thirty times as large. Without fused products every product
+// is rounded once more.
 template <class Real>
-double tolerance(bool fuses) {
-  return (sizeof(Real) == 4 ? 1e-5 : 1e-12) * (fuses ? 1 : 2);
+double tolerance(bool fuses, bool cracks = false) {
+  return (sizeof(Real) == 4 ? (cracks ? 3e-5 : 1e-5) : 1e-12) * (fuses ? 1 : 2);
+}
+
+bool cracks(const Scene& s) {
+  return std::ranges::any_of(s.seeded.laws.tension, [](double t) { return t < beyond_reach; });
 }
 
 template <class Real>
@@ -224,7 +233,7 @@ TYPED_TEST(Kernels, StepAsTheOracleDoes) {
     }
     for (std::size_t k = 0; k < models.size(); ++k) {
       const auto [off, what] = worst(particles_of(models[k]), oracle.particles(), s);
-      EXPECT_LT(off, tolerance<TypeParam>(kernels[k].fuses))
+      EXPECT_LT(off, tolerance<TypeParam>(kernels[k].fuses, cracks(s)))
           << s.name << ", " << kernels[k].name << ": " << what;
     }
   }

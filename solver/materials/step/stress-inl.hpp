@@ -49,6 +49,7 @@ template <class D>
 struct StressStep {
   PlaneStress<hn::Vec<D>> stress;
   hn::Vec<D> plastic_strain;  ///< of this step
+  hn::Vec<D> opening;         ///< of cracks in this step, of the volume
   hn::Vec<D> work;            ///< of the mid-step stress per volume, Pa
   bool yields;                ///< whether any lane does; else plastic_strain is zero
 };
@@ -74,7 +75,7 @@ HWY_INLINE StressStep<D> next_stress(D d, P, const LawRows<D>& row, const Laws& 
     }
   }
   if (hn::AllFalse(d, yields)) {
-    return {trial, hn::Zero(d), work(d, old, trial, e), false};
+    return {trial, hn::Zero(d), hn::Zero(d), work(d, old, trial, e), false};
   }
   if constexpr (P::Flow::flows) {  // what is left beyond yield is the viscous stress of this step
     const auto excess = Yield::excess(d, p, limit);
@@ -87,7 +88,8 @@ HWY_INLINE StressStep<D> next_stress(D d, P, const LawRows<D>& row, const Laws& 
                                      hn::IfThenElse(yields, back.stress.zz, trial.zz),
                                      hn::IfThenElse(yields, back.stress.xz, trial.xz),
                                      hn::IfThenElse(yields, back.stress.yy, trial.yy)};
-  return {next, hn::IfThenElseZero(yields, back.plastic_strain), work(d, old, next, e), true};
+  return {next, hn::IfThenElseZero(yields, back.plastic_strain),
+          hn::IfThenElseZero(yields, back.opening), work(d, old, next, e), true};
 }
 
 }  // namespace leda::solver::HWY_NAMESPACE

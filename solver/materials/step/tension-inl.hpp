@@ -2,12 +2,11 @@
 //
 //   largest - smallest principal stress <= 2 s,   largest <= T
 //
-// Returned by closest projection in the elastic metric, associated. Both surfaces together are a
-// convex body with flat faces; the closest point of it is the projection onto the plane of one of
-// its faces, edges or corners, the nearest of those that lie within it. T falls as s does: ground
-// that is remolded holds no more tension than shear.
-// Source: de Souza Neto, Peric and Owen 2008, 8.1 (closest point, multisurface); Rankine's
-// criterion as in Bazant and Cedolin 1991, 10.
+// Returned by closest projection in the elastic metric, associated, to faces, edges and the apex.
+// What cracks open is volume of the crack, not of the ground; that it closes again is not
+// remembered. T falls as s does: ground that is remolded holds no more tension than shear. Source:
+// de Souza Neto, Peric and Owen 2008, 8.1 (closest point, multisurface); Rankine's criterion as in
+// Bazant and Cedolin 1991, 10.
 
 #if defined(LEDA_SOLVER_TENSION_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LEDA_SOLVER_TENSION_INL
@@ -57,62 +56,31 @@ struct TrescaWithTension {
     const auto h = dh - mean, m = dm - mean, l = dl - mean;
     const auto square = hn::MulAdd(h, h, hn::MulAdd(m, m, l * l));
     // gamma = sqrt(2 e':e'), e' = ds' / (2 G) the deviator: what opens a crack softens nothing.
-    return {in_plane(d, to, a, p, trial), hn::Sqrt(constant(d, 0.5) * square) / moduli.shear};
+    return {in_plane(d, to, a, p, trial), hn::Sqrt(constant(d, 0.5) * square) / moduli.shear,
+            mean / moduli.bulk};
   }
 
  private:
-  /// The nearest of the points tried so far that lie within the body.
-  template <class D>
-  struct Nearest {
-    InOrder<D> point;
-    hn::Vec<D> far;  ///< its distance from the trial stress, squared, in the elastic metric
-  };
-
-  template <class D>
-  static HWY_INLINE void consider(D, const InOrder<D>& from, const InOrder<D>& at,
-                                  hn::Mask<D> is_within, hn::Vec<D> volume_share,
-                                  Nearest<D>& nearest) {
-    const auto h = from.high - at.high, m = from.mid - at.mid, l = from.low - at.low;
-    const auto sum = h + m + l;
-    const auto square = hn::MulAdd(h, h, hn::MulAdd(m, m, l * l));
-    const auto far = hn::NegMulAdd(volume_share * sum, sum, square);  // times 1 / (2 G)
-    const auto nearer = hn::And(is_within, hn::Lt(far, nearest.far));
-    nearest.point = {hn::IfThenElse(nearer, at.high, nearest.point.high),
-                     hn::IfThenElse(nearer, at.mid, nearest.point.mid),
-                     hn::IfThenElse(nearer, at.low, nearest.point.low)};
-    nearest.far = hn::IfThenElse(nearer, far, nearest.far);
-  }
-
-  /// Where the largest principal stress is T at the closest point.
+  /// Where the largest principal stress is T at the closest point: on the face of tension alone, or
+  /// on an edge or corner of it. Each is tried in turn; what it would violate is active too.
   template <class D>
   static HWY_INLINE InOrder<D> to_tension(D d, const InOrder<D>& from, const Limits<D>& limit,
                                           const Moduli<hn::Vec<D>>& moduli) {
-    const auto zero = hn::Zero(d), t = limit.tension, bottom = t - (limit.shear + limit.shear);
+    const auto t = limit.tension, bottom = t - (limit.shear + limit.shear);
     const auto g2 = moduli.shear + moduli.shear;
     const auto lame = hn::NegMulAdd(constant(d, 2.0 / 3.0), moduli.shear, moduli.bulk);
-    const auto volume_share = lame / hn::MulAdd(constant(d, 3), lame, g2);
-    const auto tested = [&](const InOrder<D>& at, Nearest<D>& nearest) {
-      const auto within = hn::And(hn::And(hn::Le(at.mid, t), hn::Ge(at.mid, at.low)),
-                                  hn::And(hn::Ge(at.low, bottom), hn::Le(at.low, t)));
-      consider(d, from, at, within, volume_share, nearest);
-    };
-    // The corners are always within: T T T, T T T-2s, T T-2s T-2s.
-    const auto all = hn::Eq(zero, zero);
-    Nearest<D> nearest{{t, t, t}, constant(d, sizeof(hn::TFromD<D>) == 4 ? 3e38 : 1e300)};
-    consider(d, from, {t, t, t}, all, volume_share, nearest);
-    consider(d, from, {t, t, bottom}, all, volume_share, nearest);
-    consider(d, from, {t, bottom, bottom}, all, volume_share, nearest);
-    // The face of tension alone.
-    const auto face = lame * ((from.high - t) / (lame + g2));
-    tested({t, from.mid - face, from.low - face}, nearest);
-    // The edge of two tensions.
     const auto two = lame + lame + g2;
-    const auto edge = lame * ((from.high + from.mid - (t + t)) / two);
-    tested({t, t, from.low - edge}, nearest);
-    // The edge of tension and shear.
-    const auto both = lame * ((from.high + from.low - (t + bottom)) / two);
-    tested({t, from.mid - both, bottom}, nearest);
-    return nearest.point;
+    const auto face = lame * ((from.high - t) / (lame + g2));
+    const auto mid = from.mid - face, low = from.low - face;  // tension alone
+    const auto low_of_two = from.low - lame * ((from.high + from.mid - (t + t)) / two);
+    const auto mid_of_both = from.mid - lame * ((from.high + from.low - (t + bottom)) / two);
+    const auto two_tensions = hn::Gt(mid, t);
+    const auto shears = hn::Lt(hn::IfThenElse(two_tensions, low_of_two, low), bottom);
+    const auto mid_sheared = hn::Max(hn::Min(mid_of_both, t), bottom);
+    const auto mid_alone = hn::Min(mid, t);
+    const auto low_alone = hn::Min(hn::IfThenElse(two_tensions, low_of_two, low), t);
+    return {t, hn::IfThenElse(shears, mid_sheared, mid_alone),
+            hn::IfThenElse(shears, bottom, low_alone)};
   }
 };
 

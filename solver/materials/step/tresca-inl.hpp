@@ -27,6 +27,7 @@ template <class D>
 struct Returned {
   PlaneStress<hn::Vec<D>> stress;
   hn::Vec<D> plastic_strain;  ///< engineering shear strain of the return
+  hn::Vec<D> opening;         ///< increase of volume by it, of cracks
 };
 
 /// Where ground yields, Pa.
@@ -82,7 +83,8 @@ struct Tresca {
     const auto dh = from.high - to.high, dm = from.mid - to.mid, dl = from.low - to.low;
     const auto square = hn::MulAdd(dh, dh, hn::MulAdd(dm, dm, dl * dl));
     // gamma = sqrt(2 e:e) with e = ds / (2 G): the engineering strain in simple shear.
-    return {in_plane(d, to, a, p, trial), hn::Sqrt(constant(d, 0.5) * square) / moduli.shear};
+    return {in_plane(d, to, a, p, trial), hn::Sqrt(constant(d, 0.5) * square) / moduli.shear,
+            hn::Zero(d)};
   }
 };
 
