@@ -33,10 +33,6 @@ Section clay() {
   return s;
 }
 
-double strength_at(double slip) {
-  return remolded + (peak - remolded) * std::exp(-slip / slip_scale);
-}
-
 struct State {
   double slip, stress;  ///< m, Pa
 };
