@@ -152,10 +152,11 @@ SectionResult result_of(RunState& run, const StageEnd& end) {
   r.numerical_dissipation = run.numerical_dissipation;
   r.profile_after = profile_after(run);
   r.engine = run.engine;
-  r.warnings = warnings_of(*run.section, *run.settings);
-  r.warnings.insert(r.warnings.end(), run.warnings.begin(), run.warnings.end());
+  // First what bounds the numbers: where texts are cut, the last are lost.
   warn_of_end(run, end, r.warnings);
   warn(run, m, r.warnings);
+  r.warnings.insert(r.warnings.end(), run.warnings.begin(), run.warnings.end());
+  add_new(r.warnings, warnings_of(*run.section, *run.settings));
   mark_lower_bounds(r);
   return r;
 }
