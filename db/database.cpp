@@ -75,6 +75,12 @@ bool Query::is_null() const { return statement_.getColumn(column_).isNull(); }
 
 std::string Query::text() { return statement_.getColumn(column_++).getString(); }
 
+std::optional<double> Query::optional_real() {
+  const bool null = is_null();
+  const double value = real();
+  return null ? std::nullopt : std::optional(value);
+}
+
 double Query::real() {
   const SQLite::Column column = statement_.getColumn(column_++);
   return column.isNull() ? std::numeric_limits<double>::quiet_NaN() : column.getDouble();

@@ -101,6 +101,7 @@ class Query {
 
   std::string text();
   double real();
+  std::optional<double> optional_real();
   std::int64_t integer();
   int small_integer() { return static_cast<int>(integer()); }
   bool is_null() const;  ///< the column that would be read next
@@ -109,6 +110,9 @@ class Query {
   void bind(int index, const std::string& value) { statement_.bind(index, value); }
   void bind(int index, const char* value) { statement_.bind(index, value); }
   void bind(int index, double value) { statement_.bind(index, value); }  // NaN becomes NULL
+  void bind(int index, const std::optional<double>& value) {
+    value ? statement_.bind(index, *value) : statement_.bind(index);
+  }
   void bind(int index, std::int64_t value) { statement_.bind(index, value); }
   void bind(int index, int value) { statement_.bind(index, value); }
   void bind(int index, bool value) { statement_.bind(index, value ? 1 : 0); }

@@ -16,9 +16,11 @@ std::string join_boxes(const std::string& table) {
   return one + "_boxes AS box ON box." + one + "_id = " + table + ".id ";
 }
 
+// Either box may cross 180 degrees: its west is then beyond its east.
 constexpr const char* overlaps =
-    "box.south <= ?5 AND box.north >= ?3 AND (CASE WHEN ?2 <= ?4 "
-    "THEN box.west <= ?4 AND box.east >= ?2 ELSE box.west <= ?4 OR box.east >= ?2 END) AND ";
+    "box.south <= ?5 AND box.north >= ?3 AND (CASE WHEN ?2 <= ?4 AND box.west <= box.east "
+    "THEN box.west <= ?4 AND box.east >= ?2 "
+    "ELSE (?2 > ?4 AND box.west > box.east) OR box.west <= ?4 OR box.east >= ?2 END) AND ";
 
 constexpr const char* of_shown_jobs =
     "JOIN jobs ON jobs.id = %.job_id AND jobs.state = 'successful' AND jobs.raster_id IS NOT NULL ";
@@ -83,7 +85,10 @@ Coverage coverage_of(Database& database, const std::string& table, const std::st
   Coverage coverage;
   Query row(
       database,
-      "SELECT count(*), min(box.west), min(box.south), max(box.east), max(box.north) " + from);
+      "SELECT count(*), CASE WHEN max(box.west > box.east) THEN -180.0 ELSE min(box.west) END, "
+      "min(box.south), CASE WHEN max(box.west > box.east) THEN 180.0 ELSE max(box.east) END, "
+      "max(box.north) " +
+          from);
   row.with(kind).next();
   coverage.features = row.small_integer();
   if (!row.is_null()) coverage.box = MapBox{row.real(), row.real(), row.real(), row.real()};

@@ -25,6 +25,13 @@ struct RasterRecord {
   MapBox box{};
   std::string vertical_unit;  ///< "m" or "ft" or "us-ft"
   std::string created;
+  // What registration found in the cells; absent in rows of before.
+  std::optional<double> lowest_m{}, highest_m{};
+  std::optional<double> share_without_data{};
+  std::optional<double> cell_ground_x_m{}, cell_ground_y_m{};  ///< at the DEM's middle
+  std::optional<double> undeclared_fill_m{};  ///< cells of this value count as missing
+  std::vector<std::string> warnings{};
+  std::string removed{};  ///< when its file went; empty: it stands
 };
 
 enum class JobState { accepted, running, successful, failed, dismissed };

@@ -10,7 +10,8 @@ namespace leda::db {
 const std::string& result_columns() {
   static const std::string columns =
       "results.status, results.reason, results.retrogression_m, results.runout_m, "
-      "results.runout_from_crest_m, results.crest_x_m, results.crest_z_m, results.toe_x_m, "
+      "results.runout_from_crest_m, results.retrogression_is, results.runout_is, "
+      "results.crest_x_m, results.crest_z_m, results.toe_x_m, "
       "results.toe_z_m, results.backscarp_x_m, results.backscarp_z_m, results.front_x_m, "
       "results.front_z_m, results.trigger_used, results.slides, results.simulated_s, "
       "results.run_time_s, results.steps, results.particles, results.ns_per_particle_step, "
@@ -44,6 +45,8 @@ SectionResult result_from(Query& row) {
                        .crest_to_crest_retrogression_m = row.real(),
                        .runout_m = row.real(),
                        .runout_from_crest_m = row.real(),
+                       .retrogression_is = bound_from(row.text()).value(),
+                       .runout_is = bound_from(row.text()).value(),
                        .crest = {row.real(), row.real()},
                        .toe = {row.real(), row.real()},
                        .backscarp = {row.real(), row.real()},
@@ -93,17 +96,19 @@ void insert_result(Database& database, std::int64_t section, const std::string& 
                    const SectionResult& r, const std::string& document) {
   Query(database,
         "INSERT INTO results (run_id, section_id, status, reason, retrogression_m, runout_m, "
-        "runout_from_crest_m, crest_x_m, crest_z_m, toe_x_m, toe_z_m, backscarp_x_m, "
+        "runout_from_crest_m, retrogression_is, runout_is, crest_x_m, crest_z_m, toe_x_m, toe_z_m, "
+        "backscarp_x_m, "
         "backscarp_z_m, front_x_m, front_z_m, trigger_used, slides, simulated_s, run_time_s, "
         "steps, particles, ns_per_particle_step, mass_error, momentum_error, energy_error, "
         "numerical_dissipation, profile_after, warnings, case_sha256, version, taken_in, "
-        "document) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-        "?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        "document) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .with(run, section, to_string(r.status), r.reason, r.crest_to_crest_retrogression_m,
-            r.runout_m, r.runout_from_crest_m, r.crest.x, r.crest.z, r.toe.x, r.toe.z,
-            r.backscarp.x, r.backscarp.z, r.front.x, r.front.z, r.trigger_used, r.slides,
-            r.simulated_s, r.run_time_s, r.steps, r.particles, r.ns_per_particle_step,
-            r.balances.mass, r.balances.momentum, r.balances.energy, r.numerical_dissipation,
+            r.runout_m, r.runout_from_crest_m, to_string(r.retrogression_is),
+            to_string(r.runout_is), r.crest.x, r.crest.z, r.toe.x, r.toe.z, r.backscarp.x,
+            r.backscarp.z, r.front.x, r.front.z, r.trigger_used, r.slides, r.simulated_s,
+            r.run_time_s, r.steps, r.particles, r.ns_per_particle_step, r.balances.mass,
+            r.balances.momentum, r.balances.energy, r.numerical_dissipation,
             to_json(r.profile_after), to_json(r.warnings), r.case_sha256, r.version, utc_now(),
             document)
       .run();
@@ -152,6 +157,8 @@ void read_result(Query& row, SectionRecord& section) {
   if (row.is_null()) return;
   section.result = result_from(row);
   section.placed = placed_from(row, section);
+  section.placed->retrogression_is = section.result->retrogression_is;
+  section.placed->runout_is = section.result->runout_is;
 }
 
 bool Store::take_in(std::int64_t section, const std::string& run, const SectionResult& result,

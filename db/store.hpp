@@ -64,8 +64,13 @@ class Store {
   // Rasters
   /// Replaces a raster of the same id; StoreConflict where another one has the name.
   void add_raster(const RasterRecord& raster);
-  std::vector<RasterRecord> rasters() const;
+  std::vector<RasterRecord> rasters() const;  ///< without those removed
   std::optional<RasterRecord> raster(const std::string& id_or_name) const;  ///< the id wins
+  /// StoreConflict where another raster has the name; false where there is no such raster.
+  bool rename_raster(const std::string& id, const std::string& name);
+  /// Takes a raster out of the list and frees its name. Its row stays while jobs stand on it, for
+  /// the place of their features. False, and nothing changed, where an unfinished job needs it.
+  bool remove_raster(const std::string& id);
 
   // Jobs
   /// StoreConflict where the id or the idempotency key stands already. An empty `created` or

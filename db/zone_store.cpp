@@ -14,10 +14,12 @@ const char* word(ZoneKind kind) { return kind == ZoneKind::release ? "release" :
 void insert_zone(Database& database, const std::string& job, int ordinal, const Zone& zone) {
   Query insert(database,
                "INSERT INTO zones (job_id, ordinal, kind, area, largest_distance_m, "
-               "mean_distance_m, warnings, made_by) VALUES (?, ?, ?, ?, ?, ?, ?, ?) "
+               "mean_distance_m, distance_is, warnings, made_by) "
+               "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) "
                "RETURNING id");
   insert.with(job, ordinal, word(zone.kind), to_json(zone.area), zone.largest_distance_m,
-              zone.mean_distance_m, to_json(zone.warnings), zone.made_by);
+              zone.mean_distance_m, to_string(zone.distance_is), to_json(zone.warnings),
+              zone.made_by);
   insert.next();
   const std::int64_t id = insert.integer();
   for (std::size_t i = 0; i < zone.sections.size(); ++i)
@@ -30,7 +32,7 @@ void insert_zone(Database& database, const std::string& job, int ordinal, const 
 // The versions that computed the sections of a zone stand with their results.
 const std::string columns =
     "SELECT zones.id, zones.job_id, zones.kind, zones.area, zones.largest_distance_m, "
-    "zones.mean_distance_m, zones.warnings, zones.made_by, "
+    "zones.mean_distance_m, zones.distance_is, zones.warnings, zones.made_by, "
     "(SELECT group_concat(DISTINCT results.version) FROM zone_sections "
     " JOIN sections ON sections.job_id = zone_sections.job_id "
     "  AND sections.name = zone_sections.section "
@@ -54,6 +56,7 @@ std::vector<ZoneRecord> zones_from(Database& database, Query& rows) {
                        .sections = sections_of_zone(database, record.id),
                        .largest_distance_m = rows.real(),
                        .mean_distance_m = rows.real(),
+                       .distance_is = bound_from(rows.text()).value(),
                        .warnings = words_from_json(rows.text()),
                        .made_by = rows.text()};
     record.version = rows.text();

@@ -59,6 +59,12 @@ GeometryHandle to_ogr(const MapLine& line) {
   return GeometryHandle(result.release());
 }
 
+std::vector<MapPolygon> polygons_of(const OGRGeometry& geometry) {
+  std::vector<MapPolygon> polygons;
+  collect(geometry, 0, polygons);
+  return polygons;
+}
+
 std::vector<MapPolygon> union_of(const std::vector<MapLine>& rings, double least_area) {
   const QuietGdal quiet;
   OGRMultiPolygon pieces;

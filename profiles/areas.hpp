@@ -14,6 +14,9 @@ GeometryHandle to_ogr(const MapPolygon& polygon);
 GeometryHandle to_ogr(const std::vector<MapPolygon>& area);
 GeometryHandle to_ogr(const MapLine& line);
 
+/// The polygons of a geometry, whatever else it holds.
+std::vector<MapPolygon> polygons_of(const OGRGeometry& geometry);
+
 /// The union of rings that may cross themselves and each other, as valid polygons; parts smaller
 /// than `least_area` (units of the CRS, squared) are dropped.
 /// @throws std::runtime_error where GEOS fails

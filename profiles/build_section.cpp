@@ -5,23 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "profiles/map_geometry.hpp"
 #include "profiles/place_result.hpp"
+#include "profiles/soil_along.hpp"
 
 namespace leda::profiles {
 namespace {
-
-std::optional<std::size_t> model_at(MapPoint crest, const std::vector<SoilModel>& soil) {
-  std::optional<std::size_t> everywhere;
-  for (std::size_t i = 0; i < soil.size(); ++i) {
-    const auto& where = soil[i].where;
-    if (where.empty() && !everywhere) everywhere = i;
-    const bool holds = std::any_of(where.begin(), where.end(),
-                                   [&](const MapPolygon& area) { return is_inside(area, crest); });
-    if (holds) return i;
-  }
-  return everywhere;
-}
 
 double lowest(const Polyline& ground) {
   return std::min_element(ground.begin(), ground.end(),
@@ -104,6 +92,7 @@ BuiltSection build_section(const Profile& profile, const std::vector<SoilModel>&
   section.materials = model.materials;
   section.crest = profile.bank.crest;
   section.toe = profile.bank.toe;
+  built.warnings = warnings_of_soils(profile, soil, *index);
   return built;
 }
 

@@ -14,7 +14,8 @@ namespace leda::profiles {
 struct BuiltSection {
   Section section;
   std::size_t soil_model = 0;  ///< index of the model that applies
-  std::vector<Fault> faults;   ///< the section stands where this is empty
+  std::vector<std::string> warnings;
+  std::vector<Fault> faults;  ///< the section stands where this is empty
 };
 
 /// The model whose polygons hold the crest applies, else the first without polygons. The base is

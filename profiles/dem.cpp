@@ -1,5 +1,7 @@
 #include "profiles/dem.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +17,9 @@ namespace {
 constexpr int tile_cells = 256;          // along each side
 constexpr std::size_t most_tiles = 128;  // 32 MiB
 constexpr float no_data = std::numeric_limits<float>::quiet_NaN();
+
+constexpr double equal_elevations = 1e-6;  // relative: a unit's rounding, no more
+constexpr double on_edge_cells = 1e-6;     // rounding of the inverse geotransform
 
 using GridTransform = std::array<double, 6>;
 
@@ -88,7 +93,12 @@ float Dem::Raster::to_metres(double raw) const {
   if (nodata && (raw == *nodata || static_cast<float>(raw) == static_cast<float>(*nodata))) {
     return no_data;
   }
-  return static_cast<float>(raw * scale + offset);
+  const double metres = raw * scale + offset;
+  if (info.missing_m && std::abs(metres - *info.missing_m) <=
+                            equal_elevations * std::max(1.0, std::abs(*info.missing_m))) {
+    return no_data;
+  }
+  return static_cast<float>(metres);
 }
 
 std::vector<float> Dem::Raster::read(int column, int row, int width, int height, int columns,
@@ -140,6 +150,14 @@ float Dem::Raster::cell(int column, int row) {
                          static_cast<std::size_t>(column % tile_cells)];
 }
 
+std::string note_on_missing(const DemInfo& info) {
+  if (!info.missing_m) return "";
+  return fmt::format(
+      ". Cells of exactly {:g} m count as missing, as found when the DEM was registered: register "
+      "it with nodata = none if they are ground",
+      *info.missing_m);
+}
+
 double DemInfo::cell_m() const { return std::min(cell_x, cell_y) * metres_per_unit; }
 
 Dem::Dem(std::unique_ptr<Raster> raster) : raster_(std::move(raster)) {}
@@ -174,6 +192,8 @@ Dem Dem::open(const std::filesystem::path& file, const DemOptions& options) {
   int has_nodata = 0;
   const double nodata = raster->band->GetNoDataValue(&has_nodata);
   if (has_nodata != 0) raster->nodata = nodata;
+  if (options.nodata) raster->nodata = options.nodata;
+  info.missing_m = options.missing_m;
   raster->has_mask = (raster->band->GetMaskFlags() & GMF_PER_DATASET) != 0;
   return Dem(std::move(raster));
 }
@@ -191,7 +211,9 @@ std::array<double, 2> Dem::to_grid(MapPoint p) const {
 
 bool Dem::contains(MapPoint p) const {
   const auto [column, row] = to_grid(p);
-  return column >= 0 && column <= info().width && row >= 0 && row <= info().height;
+  // Points on the very edge come out of the inverse a rounding error within or beyond it.
+  return column >= -on_edge_cells && column <= info().width + on_edge_cells &&
+         row >= -on_edge_cells && row <= info().height + on_edge_cells;
 }
 
 std::optional<double> Dem::sample(MapPoint p) const {

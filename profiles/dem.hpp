@@ -28,6 +28,8 @@ struct DemLimits {
 struct DemOptions {
   std::string vertical_unit;  ///< "m", "ft", "us-ft"; empty: as the file says; wins over the file
   int epsg = 0;               ///< for files that carry no CRS; 0: as the file says
+  std::optional<double> nodata{};     ///< the value of missing cells, as stored; wins over the file
+  std::optional<double> missing_m{};  ///< cells of this elevation count as missing too
   DemLimits limits;
 };
 
@@ -40,11 +42,15 @@ struct DemInfo {
   MapBox box{};                   ///< of all four corners
   std::string vertical_unit;      ///< "m", "ft" or "us-ft"
   double metres_per_vertical_unit = 1;
-  bool rotated = false;  ///< rows do not run west to east
+  std::optional<double> missing_m;  ///< as the options say: cells of this elevation are missing
+  bool rotated = false;             ///< rows do not run west to east
 
   /// The smaller side of a cell in metres.
   double cell_m() const;
 };
+
+/// For messages about missing data: ". Cells of exactly 0 m count as missing ..."; else empty.
+std::string note_on_missing(const DemInfo& info);
 
 /// Prepares GDAL for hostile input: only the drivers Leda needs, no network, no side files.
 /// Called by everything here that uses GDAL; calling it again does nothing.

@@ -1,6 +1,7 @@
 #pragma once
 // Sections, profiles and zones to files that GIS programs open.
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -30,6 +31,7 @@ struct SectionFeature {
   std::optional<double> factor_of_safety;  ///< of screening: undrained, Bishop
   std::optional<double> stability_number;  ///< of screening
   std::optional<double> retrogression_m, runout_m, runout_from_crest_m;
+  std::optional<std::string> retrogression_is, runout_is;  ///< "measured" or "lower-bound"
   std::optional<int> slides;
   std::optional<double> simulated_s, run_time_s;
   std::optional<MapPoint> crest, toe, backscarp, front;
@@ -53,6 +55,9 @@ enum class ExportFormat {
   shapefile,   ///< a zip of one shapefile a layer, native CRS
   flatgeobuf   ///< a zip of one file a layer, native CRS
 };
+
+inline constexpr std::array all_export_formats{ExportFormat::geopackage, ExportFormat::geojson,
+                                               ExportFormat::shapefile, ExportFormat::flatgeobuf};
 
 /// "gpkg", "geojson", "shp", "fgb"
 std::optional<ExportFormat> export_format_from(const std::string& text);

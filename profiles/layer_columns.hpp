@@ -19,6 +19,9 @@ struct ProfilePoint {
   MapPoint where;
 };
 
+/// Texts go out whole.
+inline constexpr std::size_t any_length = static_cast<std::size_t>(-1);
+
 struct ZoneRow {
   const Zone* zone = nullptr;
   double area_m2 = 0;
@@ -32,8 +35,10 @@ struct Column {
   std::function<void(OGRFeature&, int, const Row&)> set;  ///< leaves the field alone: no value
 };
 
-std::vector<Column<SectionFeature>> section_columns(const RegionLayers& layers);
+std::vector<Column<SectionFeature>> section_columns(const RegionLayers& layers,
+                                                    std::size_t most_bytes = any_length);
 std::vector<Column<ProfilePoint>> profile_columns(const RegionLayers& layers);
-std::vector<Column<ZoneRow>> zone_columns(const RegionLayers& layers);
+std::vector<Column<ZoneRow>> zone_columns(const RegionLayers& layers,
+                                          std::size_t most_bytes = any_length);
 
 }  // namespace leda::profiles

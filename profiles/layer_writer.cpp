@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "profiles/areas.hpp"
+#include "profiles/dbf_text.hpp"
 #include "profiles/gdal_error.hpp"
 #include "profiles/layer_columns.hpp"
 #include "profiles/map_geometry.hpp"
@@ -92,8 +93,9 @@ std::vector<ZoneRow> rows_of(const RegionLayers& layers, ZoneKind kind) {
 }
 
 void fill_layer(Target target, const RegionLayers& layers, const std::string& name) {
+  const std::size_t most_bytes = target.short_names ? most_dbf_bytes : any_length;
   if (name == "sections") {
-    const auto columns = section_columns(layers);
+    const auto columns = section_columns(layers, most_bytes);
     add_fields(target, columns);
     for (const SectionFeature& s : layers.sections) add_row(target, columns, s, to_ogr(s.trace));
   } else if (name == "profiles") {
@@ -104,7 +106,7 @@ void fill_layer(Target target, const RegionLayers& layers, const std::string& na
       add_ground(target, columns, s, s.ground_after, "after");
     }
   } else {
-    const auto columns = zone_columns(layers);
+    const auto columns = zone_columns(layers, most_bytes);
     add_fields(target, columns);
     const ZoneKind kind = name == "release_zones" ? ZoneKind::release : ZoneKind::runout;
     for (const ZoneRow& row : rows_of(layers, kind)) {

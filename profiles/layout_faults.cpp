@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "profiles/ground_scale.hpp"
 #include "profiles/map_geometry.hpp"
 #include "profiles/sections_along.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 constexpr std::size_t most_points =
     10'000;  // of one line; looking for crossings costs their square
 constexpr std::size_t longest_name = 100;
+constexpr double most_bend_degrees = 45;
 constexpr double farthest_by_hand_m = 50;  // of a crest or toe given by hand from its line
 
 std::string text_of(MapPoint p) { return fmt::format("({:.2f}, {:.2f})", p.x, p.y); }
@@ -26,7 +28,8 @@ std::string text_of(const MapBox& box) {
 
 class Checker {
  public:
-  Checker(const Dem& dem, const LayoutLimits& limits) : dem_(dem), limits_(limits) {}
+  Checker(const Dem& dem, const LayoutLimits& limits)
+      : dem_(dem), limits_(limits), scale_(dem.info().epsg) {}
 
   void add(std::string pointer, std::string message) {
     faults.push_back({std::move(pointer), std::move(message)});
@@ -44,6 +47,7 @@ class Checker {
     if (const auto crossing = first_self_crossing(line)) {
       add(pointer, "crosses itself at " + text_of(*crossing) + ": a line must not");
     }
+    check_scale(line, pointer);
     const double length = length_of(line) * dem_.info().metres_per_unit;
     if (length < limits_.least_length_m) {
       add(pointer, fmt::format("is {:.2f} m long, it must be at least {:g} m", length,
@@ -67,6 +71,7 @@ class Checker {
                                          length, limits_.longest_m));
       return;
     }
+    check_straight(named.line, pointer + "/line");
     check_has_data(named.line, pointer + "/line");
     check_by_hand(named, pointer);
   }
@@ -127,6 +132,30 @@ class Checker {
     }
   }
 
+  // A section is one plane. What turns further off its way than this has no such plane; a smaller
+  // bend is a warning (trace_profile.cpp).
+  void check_straight(const MapLine& line, const std::string& pointer) {
+    if (line.front() == line.back()) {
+      add(pointer, "is a ring: a section runs from one side of a bank to the other");
+      return;
+    }
+    const Bend bend = greatest_bend(line);
+    if (bend.degrees <= most_bend_degrees) return;
+    add(pointer, fmt::format("turns {:.0f} degrees off its way at {}, at most {:g} are allowed: a "
+                             "section is one vertical plane, draw it straight across the bank",
+                             bend.degrees, text_of(bend.at), most_bend_degrees));
+  }
+
+  // Told once: all of a region lies in one system.
+  void check_scale(const MapLine& line, const std::string& pointer) {
+    if (scale_told_) return;
+    const std::string complaint =
+        scale_.complaint_at(point_at(line, length_of(line) / 2), most_departure);
+    if (complaint.empty()) return;
+    add(pointer, fmt::format("lies where EPSG:{} is stretched: {}", dem_.info().epsg, complaint));
+    scale_told_ = true;
+  }
+
   void check_has_data(const MapLine& line, const std::string& pointer) {
     const double unit = dem_.info().metres_per_unit;
     const double length = length_of(line);
@@ -141,9 +170,9 @@ class Checker {
     }
     if (!first) return;
     add(pointer, fmt::format("runs over ground without data from {:.1f} m {} to {:.1f} m {} of its "
-                             "length: move or shorten it",
+                             "length: move or shorten it{}",
                              *first * unit, text_of(point_at(line, *first)), *last * unit,
-                             text_of(point_at(line, *last))));
+                             text_of(point_at(line, *last)), note_on_missing(dem_.info())));
   }
 
   void check_by_hand(const NamedLine& named, const std::string& pointer) {
@@ -166,6 +195,8 @@ class Checker {
 
   const Dem& dem_;
   const LayoutLimits& limits_;
+  GroundScale scale_;
+  bool scale_told_ = false;
   std::set<std::string> names_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace leda::profiles {
 namespace {
@@ -102,6 +103,21 @@ std::optional<MapPoint> first_self_crossing(const MapLine& line) {
     }
   }
   return std::nullopt;
+}
+
+Bend greatest_bend(const MapLine& line) {
+  const MapPoint way{line.back().x - line.front().x, line.back().y - line.front().y};
+  const double least = 0.01 * length_of(line);
+  Bend greatest{0, line.front()};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const MapPoint piece{line[i].x - line[i - 1].x, line[i].y - line[i - 1].y};
+    if (std::hypot(piece.x, piece.y) < least) continue;
+    const double aside = way.x * piece.y - way.y * piece.x;
+    const double ahead = way.x * piece.x + way.y * piece.y;
+    const double degrees = std::abs(std::atan2(aside, ahead)) * 180 / std::numbers::pi;
+    if (degrees > greatest.degrees) greatest = {degrees, line[i - 1]};
+  }
+  return greatest;
 }
 
 bool is_inside(const MapPolygon& polygon, MapPoint p) {

@@ -25,6 +25,15 @@ Nearest nearest_on(const MapLine& line, MapPoint p);
 /// Where a line first crosses or touches itself; a closed ring does not by being closed.
 std::optional<MapPoint> first_self_crossing(const MapLine& line);
 
+/// The greatest angle between a piece of a line and the straight way between its ends, degrees,
+/// and where that piece begins. Pieces shorter than a hundredth of the line do not count.
+struct Bend {
+  double degrees = 0;
+  MapPoint at;
+};
+/// @pre the ends differ
+Bend greatest_bend(const MapLine& line);
+
 /// Even-odd rule, with holes.
 bool is_inside(const MapPolygon& polygon, MapPoint p);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "profiles/map_geometry.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -35,7 +36,8 @@ MapPoint point_on_trace(const Profile& profile, double x_m) {
 PlacedResult place_result(const Profile& profile, int line, double order,
                           const SectionResult& result, const std::string& made_by) {
   PlacedResult placed = at_rest_on(profile, line, order, made_by);
-  placed.warnings.insert(placed.warnings.end(), result.warnings.begin(), result.warnings.end());
+  placed.warnings = result.warnings;
+  add_new(placed.warnings, profile.warnings);
   if (result.status == RunStatus::unstable || result.status == RunStatus::interrupted) {
     placed.known = false;
     placed.warnings.push_back(std::string("the run is ") + to_string(result.status) +
@@ -44,6 +46,8 @@ PlacedResult place_result(const Profile& profile, int line, double order,
   }
   placed.retrogression_m = result.crest_to_crest_retrogression_m;
   placed.runout_m = result.runout_m;
+  placed.retrogression_is = result.retrogression_is;
+  placed.runout_is = result.runout_is;
   placed.moved =
       result.status != RunStatus::stable && (placed.retrogression_m > 0 || placed.runout_m > 0);
   if (!placed.moved) return placed;

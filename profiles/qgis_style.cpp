@@ -25,12 +25,13 @@ std::string symbol(const std::string& type, const std::string& name, const std::
       type, name, layer, options, props);
 }
 
-std::string fill(const std::string& colour, const std::string& outline) {
-  return symbol("fill", "0", "SimpleFill",
+std::string fill(const std::string& name, const std::string& colour, const std::string& outline,
+                 const std::string& outline_style) {
+  return symbol("fill", name, "SimpleFill",
                 {{"color", colour},
                  {"style", "solid"},
                  {"outline_color", outline},
-                 {"outline_style", "solid"},
+                 {"outline_style", outline_style},
                  {"outline_width", "0.5"},
                  {"outline_width_unit", "MM"},
                  {"joinstyle", "bevel"}});
@@ -61,12 +62,6 @@ std::string document(const std::string& renderer) {
          renderer + "</qgis>\n";
 }
 
-std::string single(const std::string& symbol_xml) {
-  return document(R"(<renderer-v2 type="singleSymbol" symbollevels="0" enableorderby="0" )"
-                  R"(forceraster="0"><symbols>)" +
-                  symbol_xml + "</symbols><rotation/><sizescale/></renderer-v2>");
-}
-
 struct Category {
   std::string value;  // empty: every other value
   std::string label;
@@ -87,11 +82,20 @@ std::string categorized(const std::string& field, const std::vector<Category>& c
       field, entries, symbols));
 }
 
+// A zone whose distance is only a lower bound has a dashed edge: the ground may go further.
+std::string zone(const std::string& colour, const std::string& outline) {
+  return categorized(
+      "leda_distance_is",
+      {{"measured", "to where it came to rest", fill("0", colour, outline, "solid")},
+       {"lower-bound", "at least; it was still moving", fill("1", colour, outline, "dash")},
+       {"", "", fill("2", colour, outline, "solid")}});
+}
+
 }  // namespace
 
 std::string qgis_style(const std::string& layer) {
-  if (layer == "release_zones") return single(fill("215,48,39,110", "165,0,38,255"));
-  if (layer == "runout_zones") return single(fill("253,174,97,110", "230,120,20,255"));
+  if (layer == "release_zones") return zone("215,48,39,110", "165,0,38,255");
+  if (layer == "runout_zones") return zone("253,174,97,110", "230,120,20,255");
   if (layer == "sections") {
     return categorized("leda_status",
                        {{"at-rest", "slid, at rest", line("0", "165,0,38,255")},

@@ -3,10 +3,11 @@
 #include <cpl_string.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include "profiles/gdal_error.hpp"
+#include "profiles/ground_scale.hpp"
 #include "profiles/safe_open.hpp"
 #include "profiles/sha256.hpp"
 
@@ -62,43 +63,60 @@ DatasetHandle create_tiled(const fs::path& file, const Dem& dem) {
   return dataset;
 }
 
-struct Extent {
-  double lowest_m = std::numeric_limits<double>::infinity();
-  double highest_m = -std::numeric_limits<double>::infinity();
-  std::int64_t with_data = 0;
-};
-
-void copy_square(const Dem& dem, GDALRasterBand& band, int column, int row, Extent& extent) {
+void copy_square(const Dem& dem, GDALRasterBand& band, int column, int row,
+                 RepeatedValues& values) {
   const int width = std::min(strip_cells, dem.info().width - column);
   const int height = std::min(strip_cells, dem.info().height - row);
   std::vector<float> cells = dem.read(column, row, width, height, width, height);
   const double unit = dem.info().metres_per_vertical_unit;
-  for (float& z : cells) {
-    if (std::isnan(z)) {
-      z = written_nodata;
-      continue;
-    }
-    extent.lowest_m = std::min<double>(extent.lowest_m, z);
-    extent.highest_m = std::max<double>(extent.highest_m, z);
-    ++extent.with_data;
-    z = static_cast<float>(z / unit);
-  }
+  values.add(cells);
+  for (float& z : cells) z = std::isnan(z) ? written_nodata : static_cast<float>(z / unit);
   if (band.RasterIO(GF_Write, column, row, width, height, cells.data(), width, height, GDT_Float32,
                     0, 0, nullptr) != CE_None) {
     throw DemError("can't write the raster" + gdal_message());
   }
 }
 
-void check_is_ground(const Extent& extent) {
-  if (extent.with_data == 0) {
+void check_is_ground(const RepeatedValues& values) {
+  if (values.with_data() == 0) {
     throw DemError("no cell of the raster holds data: check its nodata value with gdalinfo -stats");
   }
-  if (extent.lowest_m < lowest_ground_m || extent.highest_m > highest_ground_m) {
-    throw DemError("the raster's elevations run from " + std::to_string(extent.lowest_m) + " to " +
-                   std::to_string(extent.highest_m) +
+  if (values.lowest() < lowest_ground_m || values.highest() > highest_ground_m) {
+    throw DemError("the raster's elevations run from " + std::to_string(values.lowest()) + " to " +
+                   std::to_string(values.highest()) +
                    " m, which is no ground: declare the value of missing cells with gdal_edit.py "
-                   "-a_nodata VALUE, or state the vertical unit");
+                   "-a_nodata VALUE (or nodata = VALUE), or state the vertical unit");
   }
+}
+
+// Refused where no place of the DEM is fit for a section, told where some are not.
+void check_scale(const Dem& dem, std::vector<std::string>& warnings) {
+  const GroundScale scale(dem.info().epsg);
+  const double w = dem.info().width, h = dem.info().height;
+  const std::string name = "EPSG:" + std::to_string(dem.info().epsg) + ": ";
+  std::string told, refused;
+  bool fit = false;
+  for (const double row : {h / 2, 0.0, h}) {
+    for (const double column : {w / 2, 0.0, w}) {
+      const MapPoint p = dem.to_map(column, row);
+      if (told.empty()) told = scale.complaint_at(p, told_departure);
+      const std::string here = scale.complaint_at(p, most_departure);
+      fit = fit || here.empty();
+      if (refused.empty()) refused = here;
+    }
+  }
+  if (!fit) throw DemError(name + refused);
+  if (!refused.empty()) told = refused + "; sections there are refused";
+  if (!told.empty()) warnings.push_back(name + told);
+}
+
+std::optional<std::array<double, 2>> cell_on_ground(const Dem& dem) {
+  const DemInfo& info = dem.info();
+  const auto scale =
+      GroundScale(info.epsg).along_axes(dem.to_map(info.width / 2.0, info.height / 2.0));
+  if (!scale || info.rotated) return std::nullopt;
+  return std::array{info.cell_x * info.metres_per_unit * (*scale)[0],
+                    info.cell_y * info.metres_per_unit * (*scale)[1]};
 }
 
 void write_cog(GDALDataset& from, const fs::path& to) {
@@ -115,33 +133,37 @@ void write_cog(GDALDataset& from, const fs::path& to) {
 
 }  // namespace
 
-RegisteredDem register_dem(const fs::path& input, const fs::path& output,
-                           const DemOptions& options) {
+RegisteredDem register_dem(const fs::path& input, const fs::path& output, const DemOptions& options,
+                           Fills fills) {
   const Dem dem = Dem::open(input, options);
   const QuietGdal quiet;
   const TemporaryFile tiled(output.string() + ".cells.tmp");
   const TemporaryFile cog(output.string() + ".cog.tmp");
-  Extent extent;
+  RegisteredDem registered;
+  check_scale(dem, registered.warnings);
+  RepeatedValues values;
   {
     const DatasetHandle cells = create_tiled(tiled.path(), dem);
     for (int row = 0; row < dem.info().height; row += strip_cells) {
       for (int column = 0; column < dem.info().width; column += strip_cells) {
-        copy_square(dem, *cells->GetRasterBand(1), column, row, extent);
+        copy_square(dem, *cells->GetRasterBand(1), column, row, values);
       }
     }
-    check_is_ground(extent);
+    check_is_ground(values);
     cells->FlushCache();
     write_cog(*cells, cog.path());
   }
   // Read back before it takes its place: what cannot be read again was never registered.
-  RegisteredDem registered;
   registered.info =
       Dem::open(cog.path(), {.vertical_unit = "", .epsg = 0, .limits = options.limits}).info();
   registered.sha256 = sha256_of_file(cog.path());
   registered.bytes = static_cast<std::int64_t>(fs::file_size(cog.path()));
-  registered.lowest_m = extent.lowest_m;
-  registered.highest_m = extent.highest_m;
-  registered.share_with_data = static_cast<double>(extent.with_data) /
+  registered.lowest_m = static_cast<double>(values.lowest());
+  registered.highest_m = static_cast<double>(values.highest());
+  registered.cell_ground_m = cell_on_ground(dem);
+  if (fills == Fills::look_for) registered.fill = find_undeclared_fill(dem, values);
+  if (registered.fill) registered.warnings.push_back(warning_of(*registered.fill));
+  registered.share_with_data = static_cast<double>(values.with_data()) /
                                (static_cast<double>(dem.info().width) * dem.info().height);
   fs::rename(cog.path(), output);
   return registered;

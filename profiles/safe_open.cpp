@@ -118,7 +118,7 @@ std::string unit_named(const std::string& words) {
 }
 
 const char* const state_vertical_unit =
-    ": say which one with vertical_unit = \"m\", \"ft\" or \"us-ft\"";
+    ": say which one with vertical_unit = \"m\", \"ft\" or \"us-ft\" (leda map --vertical-unit)";
 
 }  // namespace
 
@@ -172,8 +172,9 @@ OGRSpatialReference horizontal_crs(GDALDataset& dataset, int stated_epsg, int& e
     crs = *own;
   } else if (stated_epsg == 0) {
     throw DemError(
-        "the raster has no coordinate reference system: state it as an EPSG code (epsg = 2950, for "
-        "example), or write it into the file with gdal_edit.py -a_srs EPSG:2950");
+        "the raster has no coordinate reference system: state its EPSG code (epsg = 2950, for "
+        "example; leda map --epsg 2950), or write it into the file with gdal_edit.py -a_srs "
+        "EPSG:2950");
   } else if (crs.importFromEPSG(stated_epsg) != OGRERR_NONE) {
     throw DemError("EPSG:" + std::to_string(stated_epsg) + " is not a known code");
   }

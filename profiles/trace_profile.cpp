@@ -7,11 +7,13 @@
 #include <cstddef>
 #include <utility>
 
+#include "profiles/ground_scale.hpp"
 #include "profiles/map_geometry.hpp"
 
 namespace leda::profiles {
 namespace {
 
+constexpr double told_bend_degrees = 5;
 constexpr double margin_cells = 2;  // of data that must lie beyond crest and toe at missing ground
 
 struct Samples {
@@ -114,7 +116,8 @@ std::variant<Profile, LeftOut> trace_profile(const LaidSection& section, const D
   };
   const Samples samples = sample(section.trace, dem);
   const std::vector<Polyline> stretches = stretches_with_data(samples);
-  if (stretches.empty()) return leave_out("the DEM holds no data along the section");
+  if (stretches.empty())
+    return leave_out("the DEM holds no data along the section" + note_on_missing(dem.info()));
   const bool whole = stretches.size() == 1 && stretches[0].size() == samples.elevations.size();
 
   const double margin_m = margin_cells * dem.info().cell_m();
@@ -134,12 +137,14 @@ std::variant<Profile, LeftOut> trace_profile(const LaidSection& section, const D
     if (!best || length(cut) > length(*best)) best = std::move(cut);
   }
   if (!best && bank_cut_off) {
-    return leave_out("the DEM holds no data at the crest or the toe of the bank");
+    return leave_out("the DEM holds no data at the crest or the toe of the bank" +
+                     note_on_missing(dem.info()));
   }
   if (!best) {
     return leave_out(fmt::format("the ground has no bank of at least {:g} m{}",
                                  options.least_bank_height_m,
-                                 whole ? "" : " where the DEM holds data"));
+                                 whole ? "" : " where the DEM holds data") +
+                     (whole ? "" : note_on_missing(dem.info())));
   }
 
   const double from = best->ground.front().x, to = best->ground.back().x;
@@ -148,8 +153,20 @@ std::variant<Profile, LeftOut> trace_profile(const LaidSection& section, const D
   Profile profile = to_profile(section, dem, std::move(*best));
   if (!whole) {
     profile.warnings.push_back(
-        fmt::format("shortened to {:.1f} - {:.1f} m of its {:.1f} m where the DEM holds data", from,
-                    to, length_m));
+        fmt::format("shortened to {:.1f} - {:.1f} m of its {:.1f} m where the DEM holds data{}",
+                    from, to, length_m, note_on_missing(dem.info())));
+  }
+  if (const Bend bend = greatest_bend(profile.trace); bend.degrees > told_bend_degrees) {
+    profile.warnings.push_back(fmt::format(
+        "the line turns {:.0f} degrees off its way at ({:.2f}, {:.2f}): it is simulated as if it "
+        "were straight, its lengths as along the line",
+        bend.degrees, bend.at.x, bend.at.y));
+  }
+  const std::string complaint =
+      GroundScale(dem.info().epsg)
+          .complaint_at(point_at(profile.trace, length_of(profile.trace) / 2), told_departure);
+  if (!complaint.empty()) {
+    profile.warnings.push_back(fmt::format("EPSG:{}: {}", dem.info().epsg, complaint));
   }
   if (reaches_end) {
     profile.warnings.emplace_back(

@@ -177,6 +177,8 @@ class Zonation {
       const double distance_m = release ? s->retrogression_m : s->runout_m;
       zone.largest_distance_m = std::max(zone.largest_distance_m, distance_m);
       sum += distance_m;
+      const Bound is = release ? s->retrogression_is : s->runout_is;
+      if (is == Bound::lower_bound) zone.distance_is = is;
       for (const std::string& w : s->warnings) zone.warnings.push_back(s->section + ": " + w);
       made_of += "\n" + s->section + " " + s->made_by;
     }

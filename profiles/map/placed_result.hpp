@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "profiles/map/coordinates.hpp"
+#include "solver/section/section_result.hpp"
 
 namespace leda {
 
@@ -19,6 +20,8 @@ struct PlacedResult {
   MapPoint backscarp, crest, toe, front;
   double retrogression_m = 0;
   double runout_m = 0;
+  Bound retrogression_is = Bound::measured;
+  Bound runout_is = Bound::measured;
   std::vector<std::string> warnings;
   std::string made_by;  ///< hash of case and program
 };

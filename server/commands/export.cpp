@@ -2,6 +2,7 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
+#include "server/http/problem.hpp"
 #include "server/jobs/service.hpp"
 #include "server/layers/region_layers.hpp"
 #include "server/operate/logging.hpp"
@@ -12,16 +13,49 @@ namespace {
 struct Options {
   std::string job;
   std::filesystem::path data;
-  std::string format = "gpkg";
+  std::string format;  ///< empty: as the ending of the file says
   std::filesystem::path out;
 };
+
+/// The format of a file's ending: zones.gpkg, zones.shp.zip.
+std::optional<profiles::ExportFormat> format_of_ending(const std::filesystem::path& file) {
+  for (const auto format : profiles::all_export_formats) {
+    if (file.filename().string().ends_with(profiles::file_ending(format))) return format;
+  }
+  return std::nullopt;
+}
+
+/// A file whose name says one thing and whose bytes another opens in no program.
+profiles::ExportFormat format_or_problem(const Options& options) {
+  const auto of_ending = format_of_ending(options.out);
+  const auto wanted = profiles::export_format_from(options.format);
+  const bool zip = wanted && options.out.extension() == ".zip" &&
+                   std::string_view(profiles::file_ending(*wanted)).ends_with(".zip");
+  if (zip && !of_ending) return *wanted;
+  if (of_ending && (!wanted || *wanted == *of_ending)) return *of_ending;
+  const std::string name = options.out.filename().string();
+  if (wanted) {
+    throw Problem(Failure::invalid_parameter,
+                  fmt::format("--out is {}: a file of --format {} ends in {}", name, options.format,
+                              profiles::file_ending(*wanted)));
+  }
+  throw Problem(Failure::invalid_parameter,
+                "--out is " + name +
+                    ": give it the ending .gpkg, .geojson, .shp.zip or .fgb.zip of what it is to "
+                    "hold");
+}
 
 int export_job(const Options& options) {
   set_up_logging(true);
   const DataFolder data(options.data);
   const db::Store store(data.store());
   const auto job = job_or_problem(store, options.job);
-  const auto format = profiles::export_format_from(options.format).value();
+  const auto format = format_or_problem(options);
+  if (job.state != db::JobState::successful) {
+    throw Problem(Failure::result_not_ready, "job " + job.id + " is " + db::to_string(job.state) +
+                                                 (job.message.empty() ? "" : ": " + job.message) +
+                                                 "; only a successful job is exported");
+  }
   profiles::export_layers(region_layers(store, job), format, options.out);
   fmt::print("{}\n", options.out.string());
   return 0;
@@ -36,10 +70,14 @@ void add_export(CLI::App& app, int& exit_code) {
   command->add_option("--data", options->data, "data folder")
       ->required()
       ->check(CLI::ExistingDirectory);
-  command->add_option("--format", options->format, "what kind of file")
-      ->check(CLI::IsMember({"gpkg", "geojson", "shp", "fgb"}))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "the file")->required();
+  command
+      ->add_option("--format", options->format,
+                   "what kind of file, where its ending is to be checked against it")
+      ->check(CLI::IsMember({"gpkg", "geojson", "shp", "fgb"}));
+  command
+      ->add_option("--out", options->out,
+                   "the file; .gpkg, .geojson, .shp.zip or .fgb.zip says what kind")
+      ->required();
   command->callback(
       [options, &exit_code] { exit_code = guarded([&] { return export_job(*options); }); });
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -25,6 +26,9 @@ struct Options {
   std::filesystem::path request;
   std::filesystem::path data;
   WorkerOptions workers;
+  int epsg = 0;
+  std::string vertical_unit;
+  std::string nodata;
   bool json = false;
 };
 
@@ -34,18 +38,41 @@ std::string raster_name_of(const std::filesystem::path& file) {
   return is_raster_name(stem) ? stem : "dem";
 }
 
+/// A path is meant from here, or from beside the request.
+/// @return empty where there is no such file
+std::filesystem::path dem_file(const std::filesystem::path& named, const Options& options) {
+  const auto beside = options.request.parent_path() / named;
+  for (const auto& file : {named, beside}) {
+    if (std::filesystem::is_regular_file(file)) return file;
+  }
+  return {};
+}
+
 /// Registers the DEM of a request that names a file.
 /// @return the request with the DEM's id in its place
-std::string with_registered_dem(Service& service, const std::string& text) {
+std::string with_registered_dem(Service& service, const std::string& text, const Options& options) {
   const auto request = parse_region_request(text, DemNaming::path_allowed);
   if (!request) {
     throw Problem(Failure::invalid_request, "the request cannot be understood", request.faults);
   }
-  const std::filesystem::path file = request.value->dem;
-  if (service.store.raster(request.value->dem) || !std::filesystem::is_regular_file(file)) {
-    return text;
+  const std::string& named = request.value->dem;
+  const auto known = service.store.raster(named);
+  if (known && known->removed.empty()) return text;
+  const auto file = dem_file(named, options);
+  if (file.empty()) {
+    throw Problem(Failure::invalid_request, "there is no such DEM",
+                  {{"/inputs/dem",
+                    "is '" + named + "': there is no file of that name, neither here nor beside " +
+                        options.request.filename().string() + ", and no registered raster"}});
   }
-  const auto raster = register_file(service.data, service.store, file, raster_name_of(file));
+  RegisterOptions how;
+  how.dem.epsg = options.epsg;
+  how.dem.vertical_unit = options.vertical_unit;
+  read_nodata(options.nodata, how);
+  const auto raster = register_file(service.data, service.store, file, raster_name_of(file), how);
+  for (const auto& warning : raster.warnings) {
+    fmt::print(stderr, "warning: {}: {}\n", file.string(), warning);
+  }
   json document = json::parse(text);
   document["inputs"]["dem"] = raster.id;
   return document.dump();
@@ -55,14 +82,41 @@ bool is_finished(const db::JobRecord& job) {
   return job.state != db::JobState::accepted && job.state != db::JobState::running;
 }
 
-/// Waits for the end of a job; shows how far it is where somebody looks.
+/// How far a job is, for whoever looks: on a terminal one line that changes, elsewhere a line now
+/// and then.
+class ProgressLines {
+ public:
+  explicit ProgressLines(bool silent)
+      : silent_(silent), terminal_(!silent && isatty(STDERR_FILENO) != 0) {}
+
+  void show(const db::JobRecord& job) {
+    if (terminal_) fmt::print(stderr, "\r\033[K{:3d} %  {}", job.progress, job.message);
+    if (silent_ || terminal_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (job.progress == shown_ || now < next_) return;
+    shown_ = job.progress;
+    next_ = now + between_lines;
+    fmt::print(stderr, "{:3d} %  {}\n", job.progress, job.message);
+  }
+  void end() const {
+    if (terminal_) fmt::print(stderr, "\n");
+  }
+
+ private:
+  static constexpr std::chrono::seconds between_lines{10};
+  bool silent_, terminal_;
+  int shown_ = -1;
+  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + between_lines;
+};
+
+/// Waits for the end of a job.
 db::JobRecord follow(const Service& service, const std::string& id, bool silent) {
-  const bool terminal = !silent && isatty(STDERR_FILENO) != 0;
+  ProgressLines lines(silent);
   for (;;) {
     auto job = job_or_problem(service.store, id);
-    if (terminal) fmt::print(stderr, "\r\033[K{:3d} %  {}", job.progress, job.message);
+    lines.show(job);
     if (is_finished(job)) {
-      if (terminal) fmt::print(stderr, "\n");
+      lines.end();
       return job;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
@@ -72,7 +126,7 @@ db::JobRecord follow(const Service& service, const std::string& id, bool silent)
 int map_region(const Options& options) {
   set_up_logging(true);
   Service service(options.data, service_options(options.workers));
-  const std::string request = with_registered_dem(service, read_whole(options.request));
+  const std::string request = with_registered_dem(service, read_whole(options.request), options);
   if (execute_options_of(request).dry_run) {
     fmt::print("{}\n", dry_run(service, *find_process("map-region"), request).dump(2));
     return 0;
@@ -105,6 +159,15 @@ void add_map(CLI::App& app, int& exit_code) {
       ->required()
       ->check(CLI::ExistingFile);
   command->add_option("--data", options->data, "data folder")->required();
+  command->add_option("--epsg", options->epsg, "code of the DEM's CRS, where its file does not say")
+      ->check(CLI::Range(1024, 999'999));
+  command
+      ->add_option("--vertical-unit", options->vertical_unit,
+                   "of the DEM's elevations, where its file does not say")
+      ->check(CLI::IsMember({"m", "ft", "us-ft"}));
+  command->add_option("--nodata", options->nodata,
+                      "value of the DEM's cells without data, where its file does not say; none: "
+                      "every value is ground");
   command->add_flag("--json", options->json, "machine-readable output");
   add_worker_options(*command, options->workers);
   command->callback(

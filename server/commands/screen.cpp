@@ -14,6 +14,7 @@
 #include "server/commands/exit_code.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/screening_document.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -70,6 +71,9 @@ std::optional<solver::ScreeningResult> screen_case_file(const std::string& path)
   const auto parsed = parse_case_file(*text);
   print_faults(path, parsed.faults);
   if (!parsed) return std::nullopt;
+  for (const auto& warning : warnings_of(parsed.value->section, parsed.value->settings)) {
+    fmt::print(stderr, "warning: {}\n", warning);
+  }
   return solver::screen(parsed.value->section, parsed.value->settings);
 }
 

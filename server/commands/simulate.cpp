@@ -44,8 +44,10 @@ void show_progress(const solver::Progress& p) {
 
 void print_summary(const SectionResult& r, const std::filesystem::path& out) {
   fmt::print("{}{}{}\n", to_string(r.status), r.reason.empty() ? "" : ": ", r.reason);
-  fmt::print("retrogression {:.1f} m, runout {:.1f} m from the toe, {:.1f} m from the crest\n",
-             r.crest_to_crest_retrogression_m, r.runout_m, r.runout_from_crest_m);
+  const auto at_least = [](Bound is) { return is == Bound::lower_bound ? "at least " : ""; };
+  fmt::print("retrogression {}{:.1f} m, runout {}{:.1f} m from the toe, {:.1f} m from the crest\n",
+             at_least(r.retrogression_is), r.crest_to_crest_retrogression_m, at_least(r.runout_is),
+             r.runout_m, r.runout_from_crest_m);
   fmt::print("trigger {}, {} slides, {:.1f} s simulated in {:.1f} s\n", r.trigger_used, r.slides,
              r.simulated_s, r.run_time_s);
   fmt::print("{} particles, {} steps, {:.1f} ns a particle and step\n", r.particles, r.steps,
@@ -97,7 +99,10 @@ int simulate(const Options& options) {
   for (const Fault& fault : outcome.faults) {
     fmt::print(stderr, "{}: {}\n", fault.pointer.empty() ? "/" : fault.pointer, fault.message);
   }
-  if (outcome.code == ExitCode::interrupted) fmt::print(stderr, "interrupted, no result\n");
+  if (outcome.code == ExitCode::interrupted) {
+    fmt::print(stderr, "interrupted, no result yet; the same command continues from {}\n",
+               options.out.string());
+  }
   if (outcome.result && options.json) fmt::print("{}", result_text(*outcome.result));
   if (outcome.result && !options.json) print_summary(*outcome.result, options.out);
   return int(outcome.code);
@@ -135,7 +140,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
                     "to compare with: --precision double and --no-rest together");
   command->footer(
       "Exit codes: 0 a result stands, 2 the case is invalid, 3 the run was unstable, "
-      "4 interrupted (the same command goes on), 5 the disk is full (the same), "
+      "4 interrupted (the same command continues), 5 the disk is full (the same), "
       "6 the run needs more memory than it may use.");
   command->callback(
       [options, &exit_code] { exit_code = guarded([&] { return simulate(*options); }); });

@@ -84,7 +84,7 @@ int run(const Options& options) {
   StudyRuns done = run_study(asked, options.out, executor, listener);
   if (terminal) fmt::print(stderr, "\n");
   if (done.interrupted) {
-    fmt::print(stderr, "interrupted; the same command goes on where this one was\n");
+    fmt::print(stderr, "interrupted; the same command continues where this one was\n");
     return int(ExitCode::interrupted);
   }
   const Study study = conclude(std::move(asked), std::move(done.runs), db::utc_now());

@@ -52,6 +52,17 @@ std::optional<std::pair<std::size_t, std::size_t>> first_crossing(const MapLine&
   return std::nullopt;
 }
 
+bool is_line_of_lines(const json& value) {
+  const json& first = value[0];
+  return first.is_array() && !first.empty() && first[0].is_array();
+}
+
+/// Points so close that they are one, and that make an edge meet its neighbour's neighbour.
+bool is_nearly_repeated(MapPoint a, MapPoint b) {
+  constexpr double least_apart = 1e-3;  // units of the CRS
+  return std::hypot(b.x - a.x, b.y - a.y) < least_apart;
+}
+
 /// The points, or nothing where one of them is at fault.
 std::optional<MapLine> read_points(const json& value, const std::string& at, std::size_t least,
                                    std::size_t most, FaultList& faults) {
@@ -59,7 +70,16 @@ std::optional<MapLine> read_points(const json& value, const std::string& at, std
     faults.add(at, fmt::format("{}, must be a list of {} to {} points [x, y]",
                                value.is_array() ? fmt::format("has {} points", value.size())
                                                 : "is " + kind_of(value),
-                               least, most));
+                               least, most) +
+                       (value.is_object() && value.contains("coordinates")
+                            ? ": of a GeoJSON geometry its coordinates alone"
+                            : ""));
+    return std::nullopt;
+  }
+  if (is_line_of_lines(value)) {
+    faults.add(at, fmt::format("is a list of {} lines (a MultiLineString or a polygon with its "
+                               "rings), must be one line: a list of points [x, y]",
+                               value.size()));
     return std::nullopt;
   }
   MapLine line;
@@ -73,6 +93,14 @@ std::optional<MapLine> read_points(const json& value, const std::string& at, std
       sound = false;
       continue;
     }
+    if (!line.empty() && is_nearly_repeated(line.back(), *point)) {
+      faults.add(fmt::format("{}/{}", at, i),
+                 fmt::format("({}, {}) lies {:.2g} from the point before it: leave one of them out",
+                             show(point->x), show(point->y),
+                             std::hypot(point->x - line.back().x, point->y - line.back().y)));
+      sound = false;
+      continue;
+    }
     line.push_back(*point);
   }
   if (!sound) return std::nullopt;
@@ -82,8 +110,9 @@ std::optional<MapLine> read_points(const json& value, const std::string& at, std
 void check_crossing(const MapLine& line, const std::string& at, FaultList& faults) {
   if (const auto crossing = first_crossing(line)) {
     faults.add(at, fmt::format("crosses itself: the edge from point {} meets the edge from point "
-                               "{}",
-                               crossing->first, crossing->second));
+                               "{}, which starts at ({}, {})",
+                               crossing->first, crossing->second, show(line[crossing->second].x),
+                               show(line[crossing->second].y)));
   }
 }
 

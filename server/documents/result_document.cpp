@@ -26,6 +26,10 @@ constexpr std::array<std::pair<const char*, double SectionResult::*>, 7> numbers
     {"ns_per_particle_step", &SectionResult::ns_per_particle_step},
     {"numerical_dissipation", &SectionResult::numerical_dissipation},
 }};
+constexpr std::array<std::pair<const char*, Bound SectionResult::*>, 2> bounds{{
+    {"retrogression_is", &SectionResult::retrogression_is},
+    {"runout_is", &SectionResult::runout_is},
+}};
 constexpr std::array<std::pair<const char*, Point SectionResult::*>, 4> points{{
     {"crest_m", &SectionResult::crest},
     {"toe_m", &SectionResult::toe},
@@ -63,6 +67,7 @@ SectionResult writable(SectionResult result) {
     result.reason += std::string(result.reason.empty() ? "" : "; ") +
                      "the profile after held a value that is not finite";
   }
+  mark_lower_bounds(result);
   return result;
 }
 
@@ -90,6 +95,22 @@ void read_engine(ObjectReader& reader, SectionResult& result, FaultList& faults)
                          .averaged_dilation = part.require("averaged_dilation") &&
                                               part.boolean_or("averaged_dilation", false)};
   part.refuse_unknown();
+}
+
+// Absent in results of Leda 0.2 and before: the status and the warnings tell.
+void read_bounds(ObjectReader& reader, SectionResult& result, FaultList& faults) {
+  for (const auto& [name, member] : bounds) {
+    if (!reader.find(name)) {
+      mark_lower_bounds(result);
+      continue;
+    }
+    const std::string text = reader.text(name);
+    const auto known = bound_from(text);
+    if (!known && !text.empty()) {
+      faults.add(reader.at(name), "is \"" + text + "\", must be measured or lower-bound");
+    }
+    result.*member = known.value_or(Bound::lower_bound);
+  }
 }
 
 void read_warnings(ObjectReader& reader, SectionResult& result, FaultList& faults) {
@@ -157,6 +178,7 @@ SectionResult read_members(ObjectReader& reader, FaultList& faults) {
   read_profile(reader, result, faults);
   read_engine(reader, result, faults);
   read_warnings(reader, result, faults);
+  read_bounds(reader, result, faults);
   result.case_sha256 = reader.text("case_sha256");
   if (!result.case_sha256.empty() && !is_sha256(result.case_sha256)) {
     faults.add(reader.at("case_sha256"), "must be 64 lower-case hex digits");
@@ -201,6 +223,7 @@ json to_document(const SectionResult& as_run) {
   if (result.rate_from_s) out["rate_from_s"] = *result.rate_from_s;
   if (result.engine) out["engine"] = to_document(*result.engine);
   for (const auto& [name, member] : numbers) out[name] = result.*member;
+  for (const auto& [name, member] : bounds) out[name] = to_string(result.*member);
   for (const auto& [name, member] : points) {
     out[name] = {(result.*member).x, (result.*member).z};
   }

@@ -111,8 +111,10 @@ std::string mark(const Scale& scale, Point p, const char* name, double stem, con
 
 std::string heading(const ComparedSection& s) {
   if (!s.result) return fmt::format("{}: {}, not simulated", s.name, s.state);
-  return fmt::format("{}: {}, retrogression {:.1f} m, runout {:.1f} m", s.name,
-                     to_string(s.result->status), s.result->crest_to_crest_retrogression_m,
+  const auto at_least = [](Bound is) { return is == Bound::lower_bound ? "at least " : ""; };
+  return fmt::format("{}: {}, retrogression {}{:.1f} m, runout {}{:.1f} m", s.name,
+                     to_string(s.result->status), at_least(s.result->retrogression_is),
+                     s.result->crest_to_crest_retrogression_m, at_least(s.result->runout_is),
                      s.result->runout_m);
 }
 

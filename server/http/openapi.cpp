@@ -69,8 +69,9 @@ json answers_of(const Route& route) {
   const bool creates =
       route.path.ends_with("/execution") || (route.method == "POST" && route.path == "/rasters");
   json answers;
-  answers[creates ? "201" : "200"] = {{"description", route.summary},
-                                      {"content", content_of(route.answer)}};
+  const char* status = creates ? "201" : route.answer.empty() ? "204" : "200";
+  answers[status]["description"] = route.summary;
+  if (!route.answer.empty()) answers[status]["content"] = content_of(route.answer);
   if (route.path.ends_with("/execution")) {
     answers["200"] = {{"description", "the estimate, where dryRun was asked for"},
                       {"content", content_of("estimate")}};
@@ -111,6 +112,9 @@ json operation_of(const Route& route, const std::string& path) {
     operation["requestBody"] = {
         {"required", true},
         {"content", {{"image/tiff", {{"schema", {{"type", "string"}, {"format", "binary"}}}}}}}};
+  }
+  if (route.method == "PATCH") {
+    operation["requestBody"] = body_of("rasterName");
   }
   return operation;
 }

@@ -118,6 +118,7 @@ std::string allowed_methods(const RouteMatch& match) {
 
 std::vector<std::string_view> media_types(const Route& route) {
   std::vector<std::string_view> types;
+  if (route.answer.empty()) return types;
   for (const auto name : split(route.answer, ' ')) {
     types.push_back(name.find('/') == std::string_view::npos ? "application/json"
                                                              : name.substr(0, name.find(';')));

@@ -42,9 +42,12 @@ constexpr std::array table{
           "application/geopackage+sqlite3 application/geo+json application/zip"},
 
     Route{"POST", "/rasters", post_raster, "Register a DEM: the body is a GeoTIFF",
-          "name vertical_unit epsg", "raster", Role::submit},
+          "name vertical_unit epsg nodata", "raster", Role::submit},
     Route{"GET", "/rasters", get_rasters, "Registered DEMs", "f", "rasterList"},
     Route{"GET", "/rasters/{rasterID}", get_raster, "A registered DEM", "f", "raster"},
+    Route{"PATCH", "/rasters/{rasterID}", patch_raster, "Rename a DEM", "", "raster", Role::submit},
+    Route{"DELETE", "/rasters/{rasterID}", delete_raster, "Remove a DEM that no job needs", "", "",
+          Role::submit},
     Route{"GET", "/rasters/{rasterID}/hillshade.png", get_hillshade, "A shaded picture of a DEM",
           "", "image/png"},
 

@@ -17,6 +17,7 @@ json row_of(const db::SectionRecord& section) {
           {"order_m", section.line < 0 ? json() : json(section.order)},
           {"state", db::to_string(section.state)},
           {"reason", section.reason},
+          {"warnings", section.warnings},
           {"particles", nullptr}};
 }
 

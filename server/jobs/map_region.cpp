@@ -16,6 +16,7 @@
 #include "server/http/problem.hpp"
 #include "server/jobs/request_pointers.hpp"
 #include "solver/screening/decide.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -98,18 +99,19 @@ class Region final : public Work {
         dem_file_(std::move(dem_file)) {}
 
   std::vector<SectionRecord> plan() const override {
-    const auto dem = profiles::Dem::open(dem_file_);
+    const auto dem = open_dem();
     std::vector<SectionRecord> sections;
     RegionFaults of_named, of_laid;  // faults of named lines, and of sections laid along a line
     bool any_fits = false;
     for (const auto& laid : lay_out(dem)) {
       const auto cut = profiles::trace_profile(laid, dem);
       if (const auto* profile = std::get_if<Profile>(&cut)) {
-        const auto faults = faults_of(*profile);
+        auto record = record_of(*profile, laid);
+        const auto faults = check(*profile, record.warnings);
         any_fits = any_fits || faults.empty();
         auto& told = laid.line < 0 ? of_named : of_laid;
         for (const auto& fault : faults) told.add(fault.pointer, fault.message, laid.name);
-        sections.push_back(record_of(*profile, laid));
+        sections.push_back(std::move(record));
         if (!faults.empty()) leave_out(sections.back(), faults);
       } else {
         sections.push_back(record_of(std::get<LeftOut>(cut), laid));
@@ -155,11 +157,17 @@ class Region final : public Work {
     placed.reserve(sections.size());
     for (const auto& section : sections) placed.push_back(on_the_map(section));
     profiles::ZonationOptions options;
-    options.metres_per_unit = profiles::Dem::open(dem_file_).info().metres_per_unit;
+    options.metres_per_unit = open_dem().info().metres_per_unit;
     return profiles::make_zones(placed, options);
   }
 
  private:
+  profiles::Dem open_dem() const {
+    profiles::DemOptions options;
+    options.missing_m = raster_.undeclared_fill_m;
+    return profiles::Dem::open(dem_file_, options);
+  }
+
   std::vector<profiles::LaidSection> lay_out(const profiles::Dem& dem) const {
     profiles::LayoutLimits limits;
     limits.most_sections = Limits{}.sections;
@@ -172,14 +180,19 @@ class Region final : public Work {
     return std::move(layout.sections);
   }
 
-  /// Soil that does not fit the profile, or a model that is too large.
-  std::vector<Fault> faults_of(const Profile& profile) const {
+  /// Faults: soil that does not fit the profile, or a model that is too large. Without faults,
+  /// what is odd is added to the warnings.
+  std::vector<Fault> check(const Profile& profile, std::vector<std::string>& warnings) const {
     auto built = profiles::build_section(profile, request_.soil);
     for (auto& fault : built.faults) fault.pointer = soil_pointer(document_, fault.pointer);
     if (!built.faults.empty()) return built.faults;
     auto faults = validate(built.section, request_.settings);
     for (auto& fault : faults) {
       fault.pointer = case_pointer(document_, fault.pointer, built.soil_model);
+    }
+    if (faults.empty()) {
+      add_new(warnings, built.warnings);
+      add_new(warnings, warnings_of(built.section, request_.settings));
     }
     return faults;
   }
@@ -221,6 +234,11 @@ std::unique_ptr<Work> open_region(const std::string& request, const Library& lib
   }
   const std::string& wanted = library.raster.empty() ? parsed.value->dem : library.raster;
   const auto raster = library.store.raster(wanted);
+  if (raster && !raster->removed.empty()) {
+    throw Problem(Failure::invalid_request, "the DEM was removed",
+                  {{"/inputs/dem", "raster '" + wanted + "' was removed on " + raster->removed +
+                                       ": register it again"}});
+  }
   if (!raster) {
     throw Problem(
         Failure::invalid_request, "the DEM is not registered",

@@ -5,6 +5,7 @@
 #include "server/documents/case_file.hpp"
 #include "server/http/problem.hpp"
 #include "solver/section/crest_and_toe.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -25,6 +26,7 @@ class OneSection final : public Work {
     }
     record.crest = section.crest.value_or(record.crest);
     record.toe = section.toe.value_or(record.toe);
+    record.warnings = warnings_of(section, case_.settings);
     return {record};
   }
 

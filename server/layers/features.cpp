@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
+#include "profiles/antimeridian.hpp"
 #include "profiles/export_layers.hpp"
 #include "server/layers/region_layers.hpp"
 #include "server/operate/logging.hpp"
@@ -73,6 +73,15 @@ json origin_of(const Ground& ground) {
           {"dem_sha256", ground.dem_sha256}};
 }
 
+/// Two lines where it crosses 180 degrees.
+json line_geometry(const MapLine& degrees) {
+  const auto parts = profiles::cut_at_antimeridian(degrees);
+  if (parts.size() == 1) return {{"type", "LineString"}, {"coordinates", points(parts[0])}};
+  json lines = json::array();
+  for (const MapLine& part : parts) lines.push_back(points(part));
+  return {{"type", "MultiLineString"}, {"coordinates", lines}};
+}
+
 json section_as_feature(const db::SectionRecord& record, const Ground& ground) {
   const auto section = section_feature(record);
   json properties = origin_of(ground);
@@ -86,6 +95,8 @@ json section_as_feature(const db::SectionRecord& record, const Ground& ground) {
                      {"retrogression_m", or_null(section.retrogression_m)},
                      {"runout_m", or_null(section.runout_m)},
                      {"runout_from_crest_m", or_null(section.runout_from_crest_m)},
+                     {"retrogression_is", or_null(section.retrogression_is)},
+                     {"runout_is", or_null(section.runout_is)},
                      {"slides", or_null(section.slides)},
                      {"run_time_s", or_null(section.run_time_s)},
                      {"warnings", joined(section.warnings)},
@@ -94,8 +105,7 @@ json section_as_feature(const db::SectionRecord& record, const Ground& ground) {
                      {"version", record.result ? record.result->version : ""}});
   return {{"type", "Feature"},
           {"id", record.id},
-          {"geometry",
-           {{"type", "LineString"}, {"coordinates", points(ground.to_crs84(section.trace))}}},
+          {"geometry", line_geometry(ground.to_crs84(section.trace))},
           {"properties", properties}};
 }
 
@@ -103,15 +113,17 @@ json zone_as_feature(const db::ZoneRecord& record, const Ground& ground) {
   const Zone& zone = record.zone;
   json polygons = json::array();
   for (const MapPolygon& native : zone.area) {
-    const MapPolygon polygon = ground.to_crs84(native);
-    json rings = json::array({points(polygon.outer)});
-    for (const MapLine& hole : polygon.holes) rings.push_back(points(hole));
-    polygons.push_back(rings);
+    for (const MapPolygon& polygon : profiles::cut_at_antimeridian(ground.to_crs84(native))) {
+      json rings = json::array({points(polygon.outer)});
+      for (const MapLine& hole : polygon.holes) rings.push_back(points(hole));
+      polygons.push_back(rings);
+    }
   }
   json properties = origin_of(ground);
   properties.update({{"sections", joined(zone.sections)},
                      {"largest_distance_m", zone.largest_distance_m},
                      {"mean_distance_m", zone.mean_distance_m},
+                     {"distance_is", to_string(zone.distance_is)},
                      {"warnings", joined(zone.warnings)},
                      {"made_by", zone.made_by},
                      {"version", record.version}});
@@ -125,30 +137,22 @@ ZoneKind kind_of(Collection collection) {
   return collection == Collection::release_zones ? ZoneKind::release : ZoneKind::runout;
 }
 
-constexpr double far = std::numeric_limits<double>::infinity();
-
-void grow(MapBox& box, const MapLine& line) {
-  for (const MapPoint& p : line) {
-    box = {std::min(box[0], p.x), std::min(box[1], p.y), std::max(box[2], p.x),
-           std::max(box[3], p.y)};
-  }
-}
-
-void add_box(std::vector<db::FeatureBox>& boxes, std::int64_t id, const MapBox& box) {
-  if (box[0] <= box[2]) boxes.push_back({id, box});
+void add_box(std::vector<db::FeatureBox>& boxes, std::int64_t id, const MapLine& degrees) {
+  if (!degrees.empty()) boxes.push_back({id, profiles::box_around(degrees)});
 }
 
 void keep_boxes(db::Store& store, const db::JobRecord& job, const ToCrs84& to_crs84) {
   std::vector<db::FeatureBox> sections, zones;
   for (const auto& section : store.sections(job.id)) {
-    MapBox box{far, far, -far, -far};
-    grow(box, to_crs84(section.trace));
-    add_box(sections, section.id, box);
+    add_box(sections, section.id, to_crs84(section.trace));
   }
   for (const auto& zone : store.zones(job.id)) {
-    MapBox box{far, far, -far, -far};
-    for (const MapPolygon& polygon : zone.zone.area) grow(box, to_crs84(polygon.outer));
-    add_box(zones, zone.id, box);
+    MapLine outlines;
+    for (const MapPolygon& polygon : zone.zone.area) {
+      const MapLine outline = to_crs84(polygon.outer);
+      outlines.insert(outlines.end(), outline.begin(), outline.end());
+    }
+    add_box(zones, zone.id, outlines);
   }
   store.set_section_boxes(sections);
   store.set_zone_boxes(zones);
@@ -221,13 +225,16 @@ json schema_of(Collection collection) {
                        {"retrogression_m", property("number", "crest to crest, m")},
                        {"runout_m", property("number", "from the toe, m")},
                        {"runout_from_crest_m", property("number", "from the crest, m")},
+                       {"retrogression_is", property("string", "measured or lower-bound")},
+                       {"runout_is", property("string", "measured or lower-bound")},
                        {"slides", property("integer", "counted by the documented rule")},
                        {"run_time_s", property("number", "of the simulation, s")},
                        {"case_sha256", property("string", "SHA-256 of the case")}});
   } else {
     properties.update({{"sections", property("string", "whose results made it")},
                        {"largest_distance_m", property("number", "retrogression or runout, m")},
-                       {"mean_distance_m", property("number", "retrogression or runout, m")}});
+                       {"mean_distance_m", property("number", "retrogression or runout, m")},
+                       {"distance_is", property("string", "measured or lower-bound")}});
   }
   return {{"$schema", "http://json-schema.org/draft-07/schema#"},
           {"title", to_string(collection)},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <memory>
 
 #include "profiles/register_dem.hpp"
@@ -35,6 +36,15 @@ db::RasterRecord record_of(const profiles::RegisteredDem& dem) {
   record.box = dem.info.box;
   record.vertical_unit = dem.info.vertical_unit;
   record.created = db::utc_now();
+  record.lowest_m = dem.lowest_m;
+  record.highest_m = dem.highest_m;
+  record.share_without_data = 1 - dem.share_with_data;
+  if (dem.cell_ground_m) {
+    record.cell_ground_x_m = (*dem.cell_ground_m)[0];
+    record.cell_ground_y_m = (*dem.cell_ground_m)[1];
+  }
+  if (dem.fill) record.undeclared_fill_m = dem.fill->value_m;
+  record.warnings = dem.warnings;
   return record;
 }
 
@@ -45,14 +55,22 @@ struct Checked {
 };
 
 Checked check(const DataFolder& data, const std::filesystem::path& file,
-              const profiles::DemOptions& options) {
+              const RegisterOptions& options) {
   Checked checked{std::make_unique<Temporary>(data.uploads() / (random_hex(16) + ".tif")), {}};
   try {
-    checked.record = record_of(profiles::register_dem(file, checked.written->file, options));
+    checked.record =
+        record_of(profiles::register_dem(file, checked.written->file, options.dem, options.fills));
   } catch (const profiles::DemError& error) {
-    throw Problem(Failure::invalid_request, error.what());
+    throw Problem(Failure::invalid_request, data.without_root(error.what()));
   }
   return checked;
+}
+
+/// The raster of an id that was not removed.
+std::optional<db::RasterRecord> standing(const db::Store& store, const std::string& id) {
+  auto raster = store.raster(id);
+  if (raster && !raster->removed.empty()) raster.reset();
+  return raster;
 }
 
 /// First the file, then the row.
@@ -61,11 +79,17 @@ db::RasterRecord put_in_place(const DataFolder& data, db::Store& store, const Ch
   db::RasterRecord record = checked.record;
   record.name = name;
   std::filesystem::rename(checked.written->file, data.root() / record.file);
+  std::error_code ignored;
+  std::filesystem::remove(hillshade_file(data, record.id), ignored);
   store.add_raster(record);
   return record;
 }
 
 }  // namespace
+
+std::filesystem::path hillshade_file(const DataFolder& data, const std::string& id) {
+  return data.rasters() / (id + ".hillshade.png");
+}
 
 bool is_raster_name(const std::string& name) {
   if (name.empty() || name.size() > 100 || name.front() == ' ' || name.back() == ' ') return false;
@@ -85,11 +109,15 @@ void refuse_bad_raster_name(const std::string& name) {
 
 db::RasterRecord register_raster(const DataFolder& data, db::Store& store,
                                  const std::filesystem::path& file, const std::string& name,
-                                 const profiles::DemOptions& options) {
+                                 const RegisterOptions& options) {
   refuse_bad_raster_name(name);
   const Checked checked = check(data, file, options);
-  const auto by_id = store.raster(checked.record.id);
-  if (by_id && by_id->name == name) return *by_id;
+  const auto by_id = standing(store, checked.record.id);
+  if (by_id && by_id->name == name) {
+    // What counts as missing may be said anew of the same cells.
+    const bool same = by_id->undeclared_fill_m == checked.record.undeclared_fill_m;
+    return same ? *by_id : put_in_place(data, store, checked, name);
+  }
   if (by_id) {
     throw Problem(Failure::name_taken,
                   "this DEM is registered already as '" + by_id->name + "' (" + by_id->id + ")");
@@ -101,12 +129,60 @@ db::RasterRecord register_raster(const DataFolder& data, db::Store& store,
 }
 
 db::RasterRecord register_file(const DataFolder& data, db::Store& store,
-                               const std::filesystem::path& file, const std::string& name) {
-  const Checked checked = check(data, file, {});
-  if (const auto known = store.raster(checked.record.id)) return *known;
+                               const std::filesystem::path& file, const std::string& name,
+                               const RegisterOptions& options) {
+  const Checked checked = check(data, file, options);
+  if (const auto known = standing(store, checked.record.id)) {
+    const bool same = known->undeclared_fill_m == checked.record.undeclared_fill_m;
+    return same ? *known : put_in_place(data, store, checked, known->name);
+  }
   const std::string free_name =
       store.raster(name) ? name + " " + checked.record.sha256.substr(0, 6) : name;
   return put_in_place(data, store, checked, free_name);
+}
+
+db::RasterRecord raster_or_problem(const db::Store& store, const std::string& id) {
+  auto raster = standing(store, id);
+  if (!raster) throw Problem(Failure::no_such_resource, "there is no raster '" + id + "'");
+  return *raster;
+}
+
+db::RasterRecord rename_raster(db::Store& store, const std::string& id, const std::string& name) {
+  const auto raster = raster_or_problem(store, id);
+  refuse_bad_raster_name(name);
+  const auto other = store.raster(name);
+  if (other && other->id != raster.id) {
+    throw Problem(Failure::name_taken, "the name '" + name + "' is taken by " + other->id);
+  }
+  store.rename_raster(raster.id, name);
+  return raster_or_problem(store, raster.id);
+}
+
+void remove_raster(const DataFolder& data, db::Store& store, const std::string& id) {
+  const auto raster = raster_or_problem(store, id);
+  if (!store.remove_raster(raster.id)) {
+    throw Problem(Failure::wrong_state, "an unfinished job stands on raster '" + raster.name +
+                                            "': wait for its end, or dismiss it");
+  }
+  // First the row, then the files: what is left over does no harm.
+  std::error_code ignored;
+  std::filesystem::remove(data.root() / raster.file, ignored);
+  std::filesystem::remove(hillshade_file(data, raster.id), ignored);
+}
+
+void read_nodata(const std::string& text, RegisterOptions& options) {
+  if (text.empty()) return;
+  if (text == "none") {
+    options.fills = profiles::Fills::all_ground;
+    return;
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw Problem(Failure::invalid_parameter,
+                  "nodata is '" + text + "': give the number that missing cells hold, or none");
+  }
+  options.dem.nodata = value;
 }
 
 }  // namespace leda::server

@@ -1,9 +1,11 @@
 #include "server/layers/region_layers.hpp"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "server/http/problem.hpp"
 #include "server/layers/summary.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -12,11 +14,15 @@ void add_result(profiles::SectionFeature& feature, const SectionResult& result) 
   feature.retrogression_m = result.crest_to_crest_retrogression_m;
   feature.runout_m = result.runout_m;
   feature.runout_from_crest_m = result.runout_from_crest_m;
+  feature.retrogression_is = to_string(result.retrogression_is);
+  feature.runout_is = to_string(result.runout_is);
   feature.slides = result.slides;
   feature.simulated_s = result.simulated_s;
   feature.run_time_s = result.run_time_s;
   feature.ground_after = result.profile_after;
-  for (const auto& warning : result.warnings) feature.warnings.push_back(warning);
+  auto warnings = result.warnings;
+  add_new(warnings, feature.warnings);
+  feature.warnings = std::move(warnings);
 }
 
 std::optional<double> number_at(const nlohmann::json& document, const char* pointer) {

@@ -65,6 +65,9 @@ class Reader {
  public:
   Reader(std::istream& in, std::vector<std::string>& faults) : in_(in), faults_(faults) {}
 
+  /// Rows with another number of cells than the header hide values in the wrong column.
+  void ask_for_cells(std::size_t number) { wanted_ = number; }
+
   bool next() {
     while (std::getline(in_, text_)) {
       ++line_;
@@ -74,6 +77,13 @@ class Reader {
     return false;
   }
   std::vector<std::string_view> cells() const { return split(text_); }
+
+  bool has_cells_of_header(const std::vector<std::string_view>& cells) {
+    if (cells.size() == wanted_) return true;
+    fault("has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(wanted_) +
+          (cells.size() > wanted_ ? ": decimals are written with a point, not a comma" : ""));
+    return false;
+  }
 
   void fault(const std::string& what) {
     if (faults_.size() < most_faults) {
@@ -86,6 +96,7 @@ class Reader {
   std::vector<std::string>& faults_;
   std::string text_;
   std::size_t line_ = 0;
+  std::size_t wanted_ = 0;
 };
 
 double cell_value(Reader& reader, const std::vector<std::string_view>& cells, const Found& found) {
@@ -106,6 +117,7 @@ void read_rows(Reader& reader, const Found& x, const Found& y, std::vector<doubl
                std::vector<double>& ys) {
   while (reader.next()) {
     const auto cells = reader.cells();
+    if (!reader.has_cells_of_header(cells)) continue;
     xs.push_back(cell_value(reader, cells, x));
     ys.push_back(cell_value(reader, cells, y));
     if (xs.size() > 1 && xs.back() < xs[xs.size() - 2]) {
@@ -114,6 +126,22 @@ void read_rows(Reader& reader, const Found& x, const Found& y, std::vector<doubl
     if (ys.back() < 0) reader.fault(std::string(y.column.name) + " is negative");
     if (xs.size() > most_rows) return reader.fault("more than 1000000 rows");
   }
+}
+
+/// What a header may be that cannot be read though its names are there.
+std::string hint_on(const std::vector<std::string_view>& header) {
+  const std::string_view first = header[0];
+  if (first.starts_with("\xFF\xFE") || first.starts_with("\xFE\xFF")) {
+    return "the file is in UTF-16: save it as UTF-8";
+  }
+  for (const auto& [mark, name] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}}) {
+    if (header.size() == 1 && first.find(mark) != std::string_view::npos) {
+      return std::string("the columns are separated by ") + name +
+             ": separate them by commas, and write decimals with a point";
+    }
+  }
+  if (first.starts_with('"')) return "the names of the columns stand in quotes: leave those out";
+  return "";
 }
 
 }  // namespace
@@ -126,6 +154,7 @@ LabFile read_lab_file(std::istream& in) {
     return file;
   }
   const auto header = reader.cells();
+  reader.ask_for_cells(header.size());
   const auto strain = find(header, strain_columns);
   const auto stress = find(header, stress_columns);
   const auto index = find(header, index_columns);
@@ -136,6 +165,8 @@ LabFile read_lab_file(std::istream& in) {
   } else if (index && energy) {
     EnergyCurve& curve = file.energy.emplace();
     read_rows(reader, *energy, *index, curve.normalized_energy, curve.remolding_index);
+  } else if (const std::string hint = hint_on(header); !hint.empty()) {
+    reader.fault(hint);
   } else {
     reader.fault(
         "the header must name shear_strain (or shear_strain_percent) and shear_stress_kPa, or "

@@ -56,6 +56,15 @@ std::vector<bool> debris_columns(const AnyModel& model, const Seeded& seeded,
   return debris;
 }
 
+// Whether the bank stands left of its toe. Crest and toe of a vertical face have one x: there the
+// columns on its two sides tell.
+bool stands_left(const CrestAndToe& bank, const Surface& before) {
+  if (bank.crest.x != bank.toe.x) return bank.crest.x < bank.toe.x;
+  const std::size_t face = column_of(before, bank.crest.x);
+  const std::size_t last = before.z.size() - 1;
+  return before.z[face - std::min<std::size_t>(face, 1)] > before.z[std::min(face + 1, last)];
+}
+
 bool dropped_beyond(const Surface& before, const Surface& now, double toe_x, bool bank_left) {
   for (std::size_t i = 0; i < before.z.size(); ++i) {
     const bool beyond = bank_left ? before.left(i) > toe_x : before.left(i) + before.cell < toe_x;
@@ -93,12 +102,12 @@ Surface empty_surface(const Seeded& seeded) {
 }
 
 double retrogression(const Surface& before, const Surface& now, const CrestAndToe& bank) {
-  return std::abs(backscarp_x(before, now, bank.crest.x, bank.crest.x < bank.toe.x) - bank.crest.x);
+  return std::abs(backscarp_x(before, now, bank.crest.x, stands_left(bank, before)) - bank.crest.x);
 }
 
 Movement measure(const AnyModel& model, const Seeded& seeded, const Section& section,
                  const CrestAndToe& bank, const Surface& before) {
-  const bool bank_left = bank.crest.x < bank.toe.x;
+  const bool bank_left = stands_left(bank, before);
   const Surface now = surface(model, seeded);
   Movement m;
   const double scarp = backscarp_x(before, now, bank.crest.x, bank_left);

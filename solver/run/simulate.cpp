@@ -8,6 +8,8 @@
 #include "solver/run/initial_stress.hpp"
 #include "solver/run/softening_stage.hpp"
 #include "solver/run/trigger.hpp"
+#include "solver/section/fault_list.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::solver {
 
@@ -81,6 +83,19 @@ Polyline profile_after(const RunState& run) {
   return line;
 }
 
+std::string rounded(double value) { return show(std::round(value * 100) / 100); }
+
+// A run that ended before the ground did.
+void warn_of_end(const RunState& run, const StageEnd& end, std::vector<std::string>& warnings) {
+  const std::string consequence = ": retrogression and runout are lower bounds";
+  if (end.why == StageEnd::Why::time_limit) {
+    warnings.push_back("stopped at the time limit of " + show(run.settings->stop.max_time_s) +
+                       " s while moving at " + rounded(run.fastest) + " m/s" + consequence);
+  } else if (end.why == StageEnd::Why::left_domain) {
+    warnings.push_back("stopped as ground left the model" + consequence);
+  }
+}
+
 void warn(const RunState& run, const Movement& m, std::vector<std::string>& warnings) {
   const double near = 2 * run.seeded.size.h;
   const double left = run.section->ground.front().x, right = run.section->ground.back().x;
@@ -138,8 +153,12 @@ SectionResult result_of(RunState& run, const StageEnd& end) {
   r.numerical_dissipation = run.numerical_dissipation;
   r.profile_after = profile_after(run);
   r.engine = run.engine;
-  r.warnings = run.warnings;
+  // First what bounds the numbers: where texts are cut, the last are lost.
+  warn_of_end(run, end, r.warnings);
   warn(run, m, r.warnings);
+  r.warnings.insert(r.warnings.end(), run.warnings.begin(), run.warnings.end());
+  add_new(r.warnings, warnings_of(*run.section, *run.settings));
+  mark_lower_bounds(r);
   return r;
 }
 

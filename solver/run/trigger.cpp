@@ -1,7 +1,6 @@
 #include "solver/run/trigger.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace leda::solver {
 
@@ -12,21 +11,6 @@ std::size_t excavate(RunState& run, const Polyline& polygon) {
   });
   if (removed > 0) take_particles(run, particles);
   return removed;
-}
-
-Polyline toe_cut(const Section& section, const CrestAndToe& bank, double height) {
-  const double way = bank.crest.x - bank.toe.x;
-  const int pieces = 2000;
-  double face = bank.crest.x;
-  for (int i = 1; i <= pieces; ++i) {
-    const double x = bank.toe.x + way * i / pieces;
-    if (elevation_at(section.ground, x) - bank.toe.z >= height) {
-      face = x;
-      break;
-    }
-  }
-  const double top = std::max(bank.crest.z, bank.toe.z + height) + 1;
-  return {{bank.toe.x, bank.toe.z}, {face, bank.toe.z}, {face, top}, {bank.toe.x, top}};
 }
 
 }  // namespace leda::solver

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/section/toe_cut.hpp"
+
 namespace leda::solver {
 namespace {
 
@@ -52,16 +54,10 @@ Polyline cut_rightwards(const Polyline& ground, const Point& crest, const Point&
 
 }  // namespace
 
-std::optional<CrestAndToe> bank_of(const Section& section) {
-  if (section.crest && section.toe) return CrestAndToe{*section.crest, *section.toe};
-  auto bank = find_crest_and_toe(section.ground);
-  if (bank && section.crest) bank->crest = *section.crest;
-  if (bank && section.toe) bank->toe = *section.toe;
-  return bank;
-}
+std::optional<CrestAndToe> bank_of(const Section& section) { return bank_in_use(section); }
 
 Polyline ground_after_toe_cut(const Polyline& ground, const CrestAndToe& bank, double height_m) {
-  if (bank.toe.x >= bank.crest.x) return cut_rightwards(ground, bank.crest, bank.toe, height_m);
+  if (falls_right(ground, bank)) return cut_rightwards(ground, bank.crest, bank.toe, height_m);
   return mirrored(cut_rightwards(mirrored(ground), {-bank.crest.x, bank.crest.z},
                                  {-bank.toe.x, bank.toe.z}, height_m));
 }

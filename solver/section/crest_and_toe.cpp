@@ -94,4 +94,14 @@ std::optional<CrestAndToe> find_crest_and_toe(const Polyline& ground, double lea
   return bank;
 }
 
+bool falls_right(const Polyline& ground, const CrestAndToe& bank) {
+  const double x = bank.crest.x;
+  if (x != bank.toe.x) return x < bank.toe.x;
+  const auto step = std::ranges::equal_range(ground, x, {}, &Point::x);
+  if (step.size() > 1 && step.front().z != step.back().z) {
+    return step.front().z > step.back().z;
+  }
+  return ground.front().z > ground.back().z;
+}
+
 }  // namespace leda

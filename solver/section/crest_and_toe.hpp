@@ -21,4 +21,8 @@ enum class Facing { either, right, left };
 std::optional<CrestAndToe> find_crest_and_toe(const Polyline& ground, double least_height_m = 2.0,
                                               Facing facing = Facing::either);
 
+/// Whether a bank descends to the right. Where its crest and its toe stand at one x, the face is
+/// vertical and the ground on its two sides tells.
+bool falls_right(const Polyline& ground, const CrestAndToe& bank);
+
 }  // namespace leda

@@ -26,6 +26,7 @@ class FaultList {
   /// @param range how the range is written for a reader, for example "at least 0 and below 1"
   bool within(const std::string& pointer, double value, bool inside, const std::string& range);
 
+  bool none() const { return faults_.empty(); }
   std::vector<Fault> take() { return std::move(faults_); }
 
  private:

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "solver/section/seen_by_particles.hpp"
+#include "solver/section/toe_cut.hpp"
 #include "solver/section/validate_section.hpp"
 
 namespace leda {
@@ -13,6 +15,8 @@ namespace {
 constexpr double most_frames = 10'000;
 constexpr double least_cells_along = 5;
 constexpr double least_cells_high = 2;
+/// A bank of fewer cells has no slip surface to go by.
+constexpr double least_cells_of_bank = 2;
 
 double ground_area(const Section& section) {
   double area = 0;
@@ -24,7 +28,7 @@ double ground_area(const Section& section) {
   return area;
 }
 
-void check_cell_against_ground(const Section& section, const Resolution& resolution,
+bool check_cell_against_ground(const Section& section, const Resolution& resolution,
                                FaultList& faults) {
   const double h = resolution.cell_m;
   const double length = section.ground.back().x - section.ground.front().x;
@@ -44,6 +48,50 @@ void check_cell_against_ground(const Section& section, const Resolution& resolut
                    " particles, more than " + std::to_string(most_particles) +
                    ": take larger cells, fewer particles_per_cell or a smaller section");
   }
+  return length >= least_cells_along * h && height >= least_cells_high * h;
+}
+
+void check_cell_against_bank(const CrestAndToe& bank, double cell_m, FaultList& faults) {
+  const double height = bank.crest.z - bank.toe.z;
+  if (height >= least_cells_of_bank * cell_m) return;
+  faults.add("/resolution/cell_m",
+             "is " + show(cell_m) + " m, must be at most half of the height " + "of the bank (" +
+                 show(height) + " m); an eighth of it or less gives a number to go by");
+}
+
+std::string lost_to(const Resolution& resolution, const Seen& seen) {
+  const double rows_per_cell = resolution.cell_m / particle_spacing(resolution);
+  const double cell = std::floor(seen.thickness_m() * rows_per_cell * 1000 + 1e-6) / 1000;
+  return "holds no particle: it is " + show(std::round(seen.thickness_m() * 1000) / 1000) +
+         " m thick where it is, and particles stand " + show(particle_spacing(resolution)) +
+         " m apart; take a cell of at most " + show(cell) + " m";
+}
+
+/// What particles cannot see would be left out without a word.
+void check_seen(const Section& section, const RunSettings& settings,
+                const std::optional<CrestAndToe>& bank, FaultList& faults) {
+  const Resolution& resolution = settings.resolution;
+  const std::vector<Seen> layers = seen_layers(section, resolution);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (!layers[i].lost() || is_part_of_neighbour(section, i)) continue;
+    faults.add("/layers/" + std::to_string(i), "(" + section.layers[i].material + ") " +
+                                                   lost_to(resolution, layers[i]) +
+                                                   ", or leave the layer out");
+  }
+  if (const auto* excavation = std::get_if<ExcavationTrigger>(&settings.trigger)) {
+    const Seen cut = seen_inside(section, resolution, excavation->polygon);
+    if (cut.seen_m2 == 0) faults.add("/trigger/polygon", lost_to(resolution, cut));
+    return;
+  }
+  const auto& height = std::get<UndrainedTrigger>(settings.trigger).then_toe_cut_m;
+  if (!height || !bank) return;
+  const Seen cut = seen_inside(section, resolution, toe_cut(section, *bank, *height));
+  if (cut.seen_m2 > 0) return;
+  faults.add("/trigger/then_toe_cut_m",
+             "is " + show(*height) + " m: " +
+                 (cut.exists() ? "the cut " + lost_to(resolution, cut)
+                               : "the face at the toe is as steep as that already, no ground "
+                                 "lies in front of it to be cut"));
 }
 
 void check_cell_against_band(const Section& section, double cell, FaultList& faults) {
@@ -220,9 +268,14 @@ std::vector<Fault> validate(const Section& section, const RunSettings& settings)
   }
   check_trigger(section, ground, bank, settings.trigger, faults);
   const bool resolution = check_resolution(settings.resolution, faults);
-  if (ground && resolution) check_cell_against_ground(section, settings.resolution, faults);
+  if (ground && resolution && check_cell_against_ground(section, settings.resolution, faults) &&
+      bank) {
+    check_cell_against_bank(*bank, settings.resolution.cell_m, faults);
+  }
   if (resolution) check_cell_against_band(section, settings.resolution.cell_m, faults);
   check_run(settings, faults);
+  if (faults.none()) check_weight_under_water(section, faults);
+  if (faults.none()) check_seen(section, settings, bank, faults);
   return faults.take();
 }
 

@@ -1,6 +1,7 @@
 // Faults of materials: thesis 4.5 (moduli, K0), 2.6 (strength over depth), eqs 4-2 to 4-4.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "solver/section/fault_list.hpp"
 
@@ -42,6 +43,11 @@ double sound_peak_kPa(const Strength& peak) {
   return smallest > 0 ? smallest : INFINITY;
 }
 
+/// Strains are fractions. The laboratory has residual strains of 0.95 to 2.5 (thesis Tables 3-3,
+/// 3-4, 4-1) and remolded ones of 2.5 to 28; what lies this far beyond is a percentage.
+constexpr double most_residual_strain = 20;
+constexpr double most_remolded_strain = 200;
+
 /// One softening law of a material whose smallest peak strength is `peak` kPa.
 struct LawCheck {
   std::string at;
@@ -57,10 +63,16 @@ struct LawCheck {
     return false;
   }
 
+  bool fraction(const std::string& key, double strain, double most) const {
+    return faults.within(
+        at + key, strain, strain > 0 && strain <= most,
+        "greater than 0 and at most " + show(most) + ": strains are fractions (1.8, not 180 %)");
+  }
+
   void operator()(const UrmiSoftening& law) const {
     faults.positive(at + "/alpha", law.alpha, "");
     faults.positive(at + "/beta", law.beta, "per unit strain");
-    const bool strain = faults.positive(at + "/residual_strain", law.residual_strain, "");
+    const bool strain = fraction("/residual_strain", law.residual_strain, most_residual_strain);
     if (law.residual_strength_Pa) {
       strength_below_peak("/residual_strength_kPa", *law.residual_strength_Pa);
     }
@@ -87,7 +99,10 @@ struct LawCheck {
   void check_remolded_strain(const UrmiSoftening& law, bool residual_strain_is_sound) const {
     if (law.remolded_strain) {
       const std::string key = at + "/remolded_strain";
-      if (!faults.positive(key, *law.remolded_strain, "") || !residual_strain_is_sound) return;
+      if (!fraction("/remolded_strain", *law.remolded_strain, most_remolded_strain) ||
+          !residual_strain_is_sound) {
+        return;
+      }
       if (*law.remolded_strain >= law.residual_strain) return;
       faults.add(key, "is " + show(*law.remolded_strain) + ", must be at least residual_strain (" +
                           show(law.residual_strain) + ")");
@@ -101,7 +116,7 @@ struct LawCheck {
 
   void operator()(const EinavRandolphSoftening& law) const {
     strength_below_peak("/remolded_strength_kPa", law.remolded_strength_Pa);
-    faults.positive(at + "/strain_95", law.strain_95, "");
+    fraction("/strain_95", law.strain_95, most_remolded_strain);
   }
 
   void operator()(const ExponentialSoftening& law) const {
@@ -111,7 +126,7 @@ struct LawCheck {
 
   void operator()(const LinearSoftening& law) const {
     strength_below_peak("/remolded_strength_kPa", law.remolded_strength_Pa);
-    faults.positive(at + "/remolded_strain", law.remolded_strain, "");
+    fraction("/remolded_strain", law.remolded_strain, most_remolded_strain);
   }
 
   void operator()(const DeySoftening& law) const {
@@ -125,7 +140,7 @@ struct LawCheck {
                  "is " + show(large) + " kPa, must be at most remolded_strength_kPa (" +
                      show(remolded) + " kPa)");
     }
-    const bool strain = faults.positive(at + "/strain_95", law.strain_95, "");
+    const bool strain = fraction("/strain_95", law.strain_95, most_remolded_strain);
     if (faults.positive(at + "/large_strain", law.large_strain, "") && strain &&
         law.large_strain < 2 * law.strain_95) {
       faults.add(at + "/large_strain", "is " + show(law.large_strain) +
@@ -182,27 +197,75 @@ void check_tension(const Material& m, const std::string& at, FaultList& faults) 
                      show(most) + " kPa where it is smallest), where shear yields first");
 }
 
+/// Passive earth pressure bounds the ratio of effective stresses (Rankine): without cohesion it
+/// cannot be passed, with some only where the ground is shallow.
+void check_k0(const Material& m, const std::string& at, FaultList& faults) {
+  if (!faults.within(at + "/k0", m.k0, m.k0 > 0 && m.k0 <= 10, "greater than 0 and at most 10")) {
+    return;
+  }
+  if (!m.drained || !(m.drained->cohesion_Pa >= 0)) return;
+  const double angle = m.drained->friction_angle_deg;
+  if (!(angle >= 0 && angle < 90)) return;
+  const double root = std::tan((45 + angle / 2) * std::numbers::pi / 180);
+  const double passive = root * root;
+  const double most = m.drained->cohesion_Pa > 0 ? 2 * passive : passive;
+  if (m.k0 <= most * (1 + 1e-9)) return;
+  faults.add(at + "/k0", "is " + show(m.k0) + ", must be at most " + show(most) +
+                             ": the passive ratio of its drained strength is " + show(passive));
+}
+
+/// Degrees, not radians: no soil has less than 3 degrees, and 3 radians are no angle of friction.
+void check_friction_angle(double angle, const std::string& at, FaultList& faults) {
+  const std::string key = at + "/drained/friction_angle_deg";
+  if (!faults.within(key, angle, angle >= 0 && angle < 90, "at least 0 and below 90 degrees")) {
+    return;
+  }
+  if (angle > 0 && angle < 3) {
+    faults.add(key, "is " + show(angle) + ", must be 0 or at least 3 degrees; in radians it is " +
+                        show(std::round(angle * 180 / std::numbers::pi * 10) / 10) + " degrees");
+  }
+}
+
+/// Pa for kPa, MPa for kPa. Sensitive clays have up to 320 kPa (thesis Table 3-1); ground softer
+/// than its strength would strain by more than the whole before it yields.
+void check_magnitudes(const Material& m, const std::string& at, FaultList& faults) {
+  constexpr double most_softening_kPa = 1000;
+  const std::string key = at + "/peak_strength_kPa";
+  if (m.peak_strength.by != Strength::By::constant && m.peak_strength.table.empty()) return;
+  const double largest = m.peak_strength.largest() / kilo;
+  const double smallest = m.peak_strength.smallest() / kilo;
+  const double modulus = m.shear_modulus_Pa / kilo;
+  if (m.softening && largest > most_softening_kPa) {
+    faults.add(key, "is " + show(largest) + " kPa, must be at most " + show(most_softening_kPa) +
+                        " kPa in clay that softens; is it in Pa?");
+  } else if (modulus > 0 && smallest > 0 && modulus < smallest) {
+    faults.add(key, "is " + show(smallest) + " kPa, must be at most the shear modulus, " +
+                        show(modulus) + " kPa; is one of them in another unit?");
+  }
+}
+
 void check_material(const Material& m, const std::string& at, FaultList& faults) {
   const double unit_weight = m.unit_weight / kilo;
-  // The upper bound catches N/m3 given for kN/m3.
-  faults.within(at + "/unit_weight_kN_m3", unit_weight, unit_weight > 0 && unit_weight <= 50,
-                "greater than 0 and at most 50 kN/m3");
+  // The bounds catch t/m3 (1.3 to 2.7) and N/m3 given for kN/m3.
+  faults.within(at + "/unit_weight_kN_m3", unit_weight, unit_weight > 3 && unit_weight <= 50,
+                "greater than 3 and at most 50 kN/m3: the total weight, water included");
   faults.positive(at + "/shear_modulus_kPa", m.shear_modulus_Pa / kilo, "kPa");
   faults.within(at + "/poisson_ratio", m.poisson_ratio,
                 m.poisson_ratio >= 0 && m.poisson_ratio < 0.5, "at least 0 and below 0.5");
-  faults.within(at + "/k0", m.k0, m.k0 > 0 && m.k0 <= 10, "greater than 0 and at most 10");
+  check_k0(m, at, faults);
   check_strength(m.peak_strength, at + "/peak_strength_kPa", faults);
+  check_magnitudes(m, at, faults);
   if (m.drained) {
-    const double angle = m.drained->friction_angle_deg;
     const double cohesion = m.drained->cohesion_Pa / kilo;
     faults.within(at + "/drained/cohesion_kPa", cohesion, cohesion >= 0, "at least 0 kPa");
-    faults.within(at + "/drained/friction_angle_deg", angle, angle >= 0 && angle < 90,
-                  "at least 0 and below 90 degrees");
+    check_friction_angle(m.drained->friction_angle_deg, at, faults);
   }
   if (m.softening) {
     const std::string softening = at + "/softening";
     std::visit(LawCheck{softening, sound_peak_kPa(m.peak_strength), faults}, m.softening->law);
-    faults.positive(softening + "/reference_size_m", m.softening->reference_size_m, "m");
+    const double size = m.softening->reference_size_m;
+    faults.within(softening + "/reference_size_m", size, size > 0 && size <= 1,
+                  "greater than 0 and at most 1 m: the height of the specimen");
     if (m.softening->regularization == Regularization::band) {
       faults.positive(softening + "/band_m", m.softening->band_m, "m");
     }

@@ -74,6 +74,19 @@ TEST_F(FeaturePage, ABoxMayCrossTheDateLine) {
   EXPECT_EQ(names(store.section_page({.box = MapBox{3.2, 40, -170, 50}})), (Names{"job-1 S3"}));
 }
 
+TEST_F(FeaturePage, AFeatureMayCrossTheDateLineToo) {
+  const auto id = store.section("job-1", "S1")->id;
+  store.set_section_boxes({{id, {179.5, 45, -179.5, 46}}});
+  const auto found = [&](double west, double east) {
+    return names(store.section_page({.box = MapBox{west, 40, east, 50}}));
+  };
+  EXPECT_EQ(found(-10, 1), Names{}) << "its box is not the whole world";
+  EXPECT_EQ(found(179.8, 180), Names{"job-1 S1"});
+  EXPECT_EQ(found(-180, -179.8), Names{"job-1 S1"});
+  EXPECT_EQ(found(170, -170), Names{"job-1 S1"});
+  EXPECT_EQ(store.section_coverage().box, (MapBox{-180, 45, 180, 46}));
+}
+
 TEST_F(FeaturePage, OneIsFoundByItsId) {
   const auto id = store.section("job-1", "S2")->id;
   EXPECT_EQ(names(store.section_page({.id = id})), (Names{"job-1 S2"}));

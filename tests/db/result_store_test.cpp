@@ -43,6 +43,8 @@ TEST_F(ResultStore, AResultComesBackWhole) {
   EXPECT_EQ(back.crest_to_crest_retrogression_m, r.crest_to_crest_retrogression_m);
   EXPECT_EQ(back.runout_m, r.runout_m);
   EXPECT_EQ(back.runout_from_crest_m, r.runout_from_crest_m);
+  EXPECT_EQ(back.retrogression_is, r.retrogression_is);
+  EXPECT_EQ(back.runout_is, r.runout_is);
   EXPECT_EQ(back.crest, r.crest);
   EXPECT_EQ(back.toe, r.toe);
   EXPECT_EQ(back.backscarp, r.backscarp);
@@ -82,6 +84,8 @@ TEST_F(ResultStore, ThePlaceOnTheMapComesBackWhole) {
   EXPECT_EQ(back.front, p.front);
   EXPECT_EQ(back.retrogression_m, p.retrogression_m);
   EXPECT_EQ(back.runout_m, p.runout_m);
+  EXPECT_EQ(back.retrogression_is, p.retrogression_is);
+  EXPECT_EQ(back.runout_is, p.runout_is);
   EXPECT_EQ(back.warnings, p.warnings);
   EXPECT_EQ(back.made_by, p.made_by);
 }

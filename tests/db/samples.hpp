@@ -49,7 +49,14 @@ inline RasterRecord raster(const std::string& id = "dem-0123456789ab") {
           .height = 480,
           .box = {1000.25, 2000.5, 1640.25, 2480.5},
           .vertical_unit = "m",
-          .created = "2026-01-31T12:00:00.000Z"};
+          .created = "2026-01-31T12:00:00.000Z",
+          .lowest_m = 3.25,
+          .highest_m = 51,
+          .share_without_data = 0.125,
+          .cell_ground_x_m = 0.9999,
+          .cell_ground_y_m = 1.4999,
+          .undeclared_fill_m = 0,
+          .warnings = {"a piece of zeros"}};
 }
 
 inline JobRecord job(const std::string& id = "job-1") {
@@ -89,6 +96,7 @@ inline SectionResult result(RunStatus status = RunStatus::at_rest) {
   r.crest_to_crest_retrogression_m = 103.2;
   r.runout_m = 52.4;
   r.runout_from_crest_m = 89.4;
+  r.runout_is = Bound::lower_bound;
   r.crest = {183, 21.7};
   r.toe = {220, 5.0};
   r.backscarp = {79.8, 21.7};
@@ -123,6 +131,7 @@ inline PlacedResult placed(const SectionRecord& section) {
   p.front = {300090, 5100040};
   p.retrogression_m = 103.2;
   p.runout_m = 52.4;
+  p.runout_is = Bound::lower_bound;
   p.warnings = {"placed"};
   p.made_by = std::string(64, 'd');
   return p;

@@ -46,8 +46,8 @@ INSERT INTO runs (id, section_id, attempt, started, finished, outcome, reason) V
   ('going-0-1', 10, 1, '2026-01-02T00:00:02.000Z', NULL, NULL, '');
 INSERT INTO results VALUES
   ('done-0-2', 7, 'at-rest', '', 12.5, 3.5, 23.5, 40, 20, 60, 8, 27.5, 20, 63.5, 8, 'undrained', 2,
-   61, 26, 24000, 41000, 26.4, 0, 1e-12, 0.004, 0.1, '[[0,20],[27.5,20],[63.5,8],[90,8]]', '[]',
-   'cc', '0.1.0', '2026-01-01T00:00:30.000Z', '{"status":"at-rest"}'),
+   61, 26, 24000, 41000, 26.4, 0, 1e-12, 0.004, 0.1, '[[0,20],[27.5,20],[63.5,8],[90,8]]',
+   '["the front reached the model''s edge: runout is a lower bound"]', 'cc', '0.1.0', '2026-01-01T00:00:30.000Z', '{"status":"at-rest"}'),
   ('done-2-1', 9, 'unstable', 'the energy audit failed', NULL, NULL, NULL, 40, 20, 60, 8, NULL, NULL,
    NULL, NULL, 'undrained', 0, 1, 26, 24, 41, NULL, 0, 0, 3, NULL, '[]', '["w"]', 'dd', '0.1.0',
    '2026-01-01T00:00:30.000Z', '{"status":"unstable"}');
@@ -129,6 +129,9 @@ TEST_F(Upgrade, EveryValueOfEveryRowStays) {
   now.read([&] {
     EXPECT_EQ(texts(now, "PRAGMA integrity_check"), std::vector<std::string>{"ok"});
     EXPECT_TRUE(texts(now, "PRAGMA foreign_key_check").empty());
+    EXPECT_EQ(texts(now, "SELECT retrogression_is FROM results ORDER BY run_id"),
+              (std::vector<std::string>{"measured", "lower-bound"}))
+        << "a run that came to rest, and an unstable one";
     EXPECT_EQ(texts(now, "PRAGMA user_version")[0], std::to_string(migrations().back().version));
   });
 }
@@ -142,6 +145,11 @@ TEST_F(Upgrade, TheOldRowsAreReadAndGoOn) {
   EXPECT_DOUBLE_EQ(section->result->crest_to_crest_retrogression_m, 12.5);
   EXPECT_FALSE(section->result->engine) << "nobody knows what computed it";
   EXPECT_EQ(section->attempts, 2);
+  // What the first schema did not say is read from the status and the warnings.
+  EXPECT_EQ(section->result->retrogression_is, Bound::measured);
+  EXPECT_EQ(section->result->runout_is, Bound::lower_bound);
+  EXPECT_EQ(store.zones("done").at(0).zone.distance_is, Bound::measured);
+  EXPECT_EQ(store.zones("done").at(1).zone.distance_is, Bound::lower_bound);
   EXPECT_EQ(store.zones("done").size(), 2U);
   // What was under way when the old server ended is taken up.
   ASSERT_EQ(store.unfinished_jobs().size(), 1U);

@@ -13,6 +13,7 @@ Zone zone(ZoneKind kind, const std::vector<std::string>& sections) {
   z.sections = sections;
   z.largest_distance_m = 103.2;
   z.mean_distance_m = 88.1;
+  z.distance_is = Bound::lower_bound;
   z.warnings = {"a neighbour is missing"};
   z.made_by = std::string(64, 'e');
   return z;
@@ -41,6 +42,7 @@ TEST_F(ZoneStore, ZonesComeBackWholeAndInOrder) {
   EXPECT_EQ(zones[0].zone.area[0].holes, expected.area[0].holes);
   EXPECT_EQ(zones[0].zone.largest_distance_m, expected.largest_distance_m);
   EXPECT_EQ(zones[0].zone.mean_distance_m, expected.mean_distance_m);
+  EXPECT_EQ(zones[0].zone.distance_is, expected.distance_is);
   EXPECT_EQ(zones[0].zone.warnings, expected.warnings);
   EXPECT_EQ(zones[0].zone.made_by, expected.made_by);
   EXPECT_EQ(zones[1].zone.kind, ZoneKind::release);

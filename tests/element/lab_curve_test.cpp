@@ -35,10 +35,10 @@ TEST(LabFile, ReadsEnergyCurvesInAnyColumnOrder) {
 }
 
 TEST(LabFile, NamesEveryFaultWithItsLine) {
-  const LabFile file = read("shear_strain,shear_stress_kPa\n0,0\n0.1,abc\n0.2\n0.1,-3\n0.3,inf\n");
+  const LabFile file = read("shear_strain,shear_stress_kPa\n0,0\n0.1,abc\n0.2\n0.05,-3\n0.3,inf\n");
   ASSERT_EQ(file.faults.size(), 5U);
   EXPECT_EQ(file.faults[0], "line 3: shear_stress_kPa is \"abc\", not a finite number");
-  EXPECT_EQ(file.faults[1], "line 4: shear_stress_kPa is missing");
+  EXPECT_EQ(file.faults[1], "line 4: has 1 cells, the header 2");
   EXPECT_EQ(file.faults[2], "line 5: shear_strain goes back: rows must be in order");
   EXPECT_EQ(file.faults[3], "line 5: shear_stress_kPa is negative");
   EXPECT_EQ(file.faults[4], "line 6: shear_stress_kPa is \"inf\", not a finite number");
@@ -50,6 +50,23 @@ TEST(LabFile, RefusesAnEmptyFileAndAnUnknownHeader) {
   const LabFile file = read("strain,stress\n0,0\n");
   ASSERT_EQ(file.faults.size(), 1U);
   EXPECT_NE(file.faults[0].find("shear_strain_percent"), std::string::npos);
+}
+
+// 8,9 kPa under a header of two would be 8 kPa, and the fit would not tell.
+TEST(LabFile, DecimalCommasAreRefused) {
+  const LabFile file = read("shear_strain_percent,shear_stress_kPa\n1,8,9\n2,9\n");
+  ASSERT_EQ(file.faults.size(), 1U);
+  EXPECT_EQ(file.faults[0],
+            "line 2: has 3 cells, the header 2: decimals are written with a point, not a comma");
+}
+
+TEST(LabFile, OtherWaysToWriteATableAreNamed) {
+  const auto fault = [](const std::string& text) { return read(text).faults.at(0); };
+  EXPECT_NE(fault("shear_strain;shear_stress_kPa\n0;0\n").find("semicolons"), std::string::npos);
+  EXPECT_NE(fault("shear_strain\tshear_stress_kPa\n0\t0\n").find("tabs"), std::string::npos);
+  EXPECT_NE(fault("\"shear_strain\",\"shear_stress_kPa\"\n0,0\n").find("quotes"),
+            std::string::npos);
+  EXPECT_NE(fault("\xFF\xFEs").find("UTF-16"), std::string::npos);
 }
 
 TEST(LabFile, AHostileFileGivesFewFaults) {

@@ -55,6 +55,41 @@ TEST(BuildSection, TheModelAtTheCrestApplies) {
   EXPECT_NE(none.faults[0].message.find("no soil model applies"), std::string::npos);
 }
 
+// The section runs from y = 2000 to y = 1694; its crest lies at y = 1817.
+TEST(BuildSection, ASectionOverTwoSoilsSaysWhichAndHowFar) {
+  SoilModel bank = clay("bank"), valley = clay("valley");
+  bank.where = {square(900, 1786, 1100, 2050)};
+  valley.where = {square(900, 1600, 1100, 1786)};
+  const BuiltSection built = build_section(profile(), {valley, bank});
+  EXPECT_EQ(built.soil_model, 1U);
+  ASSERT_EQ(built.warnings.size(), 1U);
+  EXPECT_EQ(built.warnings[0],
+            "soil 'bank', that of the crest, is taken for the whole section, which lies with 30 % "
+            "of it on soil 'valley'");
+  bank.where = {square(900, 1600, 1100, 2050)};
+  EXPECT_TRUE(build_section(profile(), {bank, clay("rest")}).warnings.empty());
+  EXPECT_TRUE(build_section(profile(), {clay("one")}).warnings.empty());
+}
+
+TEST(BuildSection, GroundWithoutASoilIsTold) {
+  SoilModel bank = clay("bank");
+  bank.where = {square(900, 1786, 1100, 2050)};
+  const BuiltSection built = build_section(profile(), {bank});
+  ASSERT_EQ(built.warnings.size(), 1U);
+  EXPECT_NE(built.warnings[0].find("30 % of it on no soil"), std::string::npos);
+}
+
+TEST(BuildSection, OverlappingSoilsAreTold) {
+  SoilModel first = clay("first"), second = clay("second");
+  first.where = {square(900, 1600, 1100, 2050)};
+  second.where = {square(900, 1847, 1100, 2050)};
+  const BuiltSection built = build_section(profile(), {first, second, clay("rest")});
+  ASSERT_EQ(built.warnings.size(), 1U);
+  EXPECT_EQ(built.warnings[0],
+            "the polygons of soils 'first' and 'second' overlap on 50 % of the section: there "
+            "'first', which stands first, is taken");
+}
+
 TEST(BuildSection, ABaseAboveGroundIsAFault) {
   SoilModel model = clay("high");
   model.base_m = 6;

@@ -88,5 +88,17 @@ TEST(CrestAndToe, RoundedGroundWithABenchAndTalus) {
   EXPECT_NEAR(bank->toe.x, 245, 3);
 }
 
+// A vertical face has one x: which side it falls to, the ground beside it tells.
+TEST(CrestAndToe, AVerticalFaceFallsToItsLowSide) {
+  const Polyline right{{0, 15}, {50, 15}, {50, 5}, {90, 5}};
+  const Polyline left{{-90, 5}, {-50, 5}, {-50, 15}, {0, 15}};
+  EXPECT_TRUE(falls_right(right, *find_crest_and_toe(right)));
+  EXPECT_FALSE(falls_right(left, *find_crest_and_toe(left)));
+  // A crest and a toe given at one x of a steep face, without a step.
+  const Polyline steep{{0, 15}, {50, 15}, {51, 5}, {90, 5}};
+  EXPECT_TRUE(falls_right(steep, {{50.5, 10.04}, {50.5, 9.96}}));
+  EXPECT_TRUE(falls_right(steep, {{50, 15}, {51, 5}}));
+}
+
 }  // namespace
 }  // namespace leda

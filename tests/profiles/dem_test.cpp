@@ -41,6 +41,26 @@ TEST(Dem, SamplesBilinearlyBetweenCellCentres) {
   EXPECT_FALSE(dem.sample({std::nan(""), 1999.5}));
 }
 
+// Cells of 1.5 m have no exact inverse: corners come back a rounding error beyond the grid.
+TEST(Dem, ThePointsOfItsOwnBoxLieOnIt) {
+  for (const double cell : {0.3, 0.7, 0.9, 1.5, 3.3, 0.3048}) {
+    const TestFolder folder;
+    const auto grid = computed(187, 133, {380000, cell, 0, 5113199.5, 0, -cell},
+                               [](MapPoint p) { return 1e-3 * (p.x - 380000); });
+    const Dem dem = Dem::open(write_geotiff(grid, folder / "dem.tif"));
+    const MapBox& box = dem.info().box;
+    for (const double x : {box[0], (box[0] + box[2]) / 2, box[2]}) {
+      for (const double y : {box[1], (box[1] + box[3]) / 2, box[3]}) {
+        EXPECT_TRUE(dem.contains({x, y})) << cell << " m: " << x << " " << y;
+        EXPECT_TRUE(dem.sample({x, y})) << cell << " m: " << x << " " << y;
+      }
+    }
+    EXPECT_TRUE(dem.contains({box[0] - 1e-9, box[3] + 1e-9})) << "noise of clipping";
+    EXPECT_FALSE(dem.contains({box[0] - 0.01 * cell, box[1]}));
+    EXPECT_FALSE(dem.contains({box[0], box[3] + 0.01 * cell}));
+  }
+}
+
 TEST(Dem, ASampleNextToMissingDataIsMissing) {
   const TestFolder folder;
   const Dem dem = Dem::open(write_geotiff(drawn({"111", "1.1", "111"}), folder / "dem.tif"));

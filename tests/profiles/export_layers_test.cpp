@@ -202,6 +202,56 @@ TEST(ExportLayers, ShapefilesAndFlatGeobufsComeZipped) {
   }
 }
 
+// The table of a Shapefile holds 254 bytes a field: lists end at a whole item and say so.
+TEST(ExportLayers, LongTextsOfAShapefileEndAtAWholeItem) {
+  const TestFolder folder;
+  RegionLayers layers = region();
+  Zone& zone = layers.zones[0];
+  zone.sections.clear();
+  zone.warnings.clear();
+  for (int i = 1; i <= 58; ++i) {
+    std::string name = "S0";
+    name += std::to_string(i + 100).substr(1);
+    zone.sections.push_back(name);
+    zone.warnings.push_back(name + ": the front reached the model's edge; runout is a lower bound");
+  }
+  layers.sections[1].reason = std::string(251, 'x') + "\u00e9\u00e9\u00e9";
+  export_layers(layers, ExportFormat::shapefile, folder / "out.shp.zip");
+  export_layers(layers, ExportFormat::geopackage, folder / "out.gpkg");
+  const std::string zip = "/vsizip/" + (folder / "out.shp.zip").string();
+  const DatasetHandle cut = open_vector(zip + "/release_zones.shp");
+  const std::unique_ptr<OGRFeature> first(cut->GetLayer(0)->GetNextFeature());
+  const std::string names = first->GetFieldAsString("leda_sects");
+  EXPECT_TRUE(names.ends_with("S037 and 21 more (see the GeoPackage)")) << names;
+  const std::string told = first->GetFieldAsString("leda_warn");
+  EXPECT_TRUE(told.ends_with("lower bound and 55 more (see the GeoPackage)")) << told;
+  EXPECT_LE(told.size(), 254U);
+  EXPECT_EQ(first->GetFieldAsInteger("leda_count"), 58);
+  const DatasetHandle sections = open_vector(zip + "/sections.shp");
+  sections->GetLayer(0)->SetAttributeFilter("name = 'S001'");
+  const std::unique_ptr<OGRFeature> left_out(sections->GetLayer(0)->GetNextFeature());
+  EXPECT_EQ(left_out->GetFieldAsString("leda_reas"), std::string(251, 'x') + "...");
+  const DatasetHandle whole = open_vector(folder / "out.gpkg");
+  const std::unique_ptr<OGRFeature> zone_row(
+      whole->GetLayerByName("release_zones")->GetNextFeature());
+  EXPECT_TRUE(std::string(zone_row->GetFieldAsString("leda_sections")).ends_with("S057, S058"));
+}
+
+TEST(ExportLayers, SayWhetherADistanceIsALowerBound) {
+  const TestFolder folder;
+  RegionLayers layers = region();
+  layers.sections[0].retrogression_is = "lower-bound";
+  layers.zones[0].distance_is = Bound::lower_bound;
+  export_layers(layers, ExportFormat::geopackage, folder / "out.gpkg");
+  const DatasetHandle gpkg = open_vector(folder / "out.gpkg");
+  const auto first = [&](const char* layer) {
+    return std::unique_ptr<OGRFeature>(gpkg->GetLayerByName(layer)->GetNextFeature());
+  };
+  EXPECT_STREQ(first("sections")->GetFieldAsString("leda_retrogression_is"), "lower-bound");
+  EXPECT_STREQ(first("release_zones")->GetFieldAsString("leda_distance_is"), "lower-bound");
+  EXPECT_STREQ(first("runout_zones")->GetFieldAsString("leda_distance_is"), "measured");
+}
+
 TEST(ExportLayers, ARegionWithoutZonesStillHasItsLayers) {
   const TestFolder folder;
   RegionLayers layers = region();

@@ -33,5 +33,14 @@ TEST(MapGeometry, PolygonsWithHoles) {
   EXPECT_FALSE(is_inside(MapPolygon{}, {0, 0}));
 }
 
+TEST(MapGeometry, TheGreatestBendIsMeasuredFromTheWayBetweenTheEnds) {
+  EXPECT_DOUBLE_EQ(greatest_bend({{0, 0}, {50, 0}, {100, 0}}).degrees, 0);
+  const Bend bend = greatest_bend({{0, 0}, {100, 0}, {100, 100}});
+  EXPECT_NEAR(bend.degrees, 45, 1e-9);
+  EXPECT_NEAR(greatest_bend({{0, 0}, {90, 0}, {100, 10}, {190, 10}}).degrees, 42, 0.1);
+  EXPECT_NEAR(greatest_bend({{0, 0}, {100, 0}, {100, 0.5}, {200, 0.5}}).degrees, 0.14, 0.01)
+      << "a hook of half a metre in 200 is none";
+}
+
 }  // namespace
 }  // namespace leda::profiles

@@ -36,7 +36,7 @@ TEST(PlaceResult, PointsLieOnTheTrace) {
   EXPECT_NEAR(placed.toe.y, 1780, 1e-9);
   EXPECT_NEAR(placed.front.y, 1760, 1e-9);
   EXPECT_DOUBLE_EQ(placed.front.x, 1000);
-  EXPECT_EQ(placed.warnings, (std::vector<std::string>{"shortened", "front near the edge"}));
+  EXPECT_EQ(placed.warnings, (std::vector<std::string>{"front near the edge", "shortened"}));
   EXPECT_EQ(placed.made_by, "hash");
 }
 

@@ -80,6 +80,15 @@ TEST(Zonation, NeighboursAreJoinedAndReachHalfASpacingBeyond) {
   EXPECT_TRUE(covers(runout, {50, -1}));
 }
 
+TEST(Zonation, OneLowerBoundMakesTheZoneOne) {
+  auto results = std::vector{slid(0, 60, 20), slid(50, 80, 30)};
+  for (const Zone& zone : make_zones(results)) EXPECT_EQ(zone.distance_is, Bound::measured);
+  results[1].runout_is = Bound::lower_bound;
+  const auto zones = make_zones(results);
+  EXPECT_EQ(zone_of(zones, ZoneKind::release).distance_is, Bound::measured);
+  EXPECT_EQ(zone_of(zones, ZoneKind::runout).distance_is, Bound::lower_bound);
+}
+
 TEST(Zonation, TheOrderAlongTheLineDecidesNotTheOrderGiven) {
   auto results = std::vector{slid(100, 60, 20), slid(0, 60, 20), slid(50, 80, 30)};
   const auto zones = make_zones(results);

@@ -54,6 +54,10 @@ TEST_F(CommandLine, EveryCommandHasHelpAndTheProgramAVersion) {
 TEST_F(CommandLine, WrongUseIsToldWithCodeTwo) {
   EXPECT_EQ(run_leda({}).exit_code, 2);
   EXPECT_EQ(run_leda({"nothing"}).exit_code, 2);
+  const Output mistyped = run_leda({"mpa", "region.json"});
+  EXPECT_EQ(mistyped.exit_code, 2);
+  EXPECT_NE(mistyped.errors.find("did you mean 'map'?"), std::string::npos) << mistyped.errors;
+  EXPECT_EQ(run_leda({"nothing"}).errors.find("did you mean"), std::string::npos);
   EXPECT_EQ(run_leda({"serve"}).exit_code, 2);
   const Output open_to_all = run_leda({"serve", "--data", data(), "--listen", "0.0.0.0:0"});
   EXPECT_EQ(open_to_all.exit_code, 2);
@@ -103,6 +107,26 @@ TEST_F(CommandLine, ADemWithoutACrsIsRefused) {
   const Output output = run_leda({"map", region_file(request), "--data", data()});
   EXPECT_EQ(output.exit_code, 2);
   EXPECT_NE(output.errors.find("coordinate reference system"), std::string::npos) << output.errors;
+  EXPECT_NE(output.errors.find("--epsg"), std::string::npos) << output.errors;
+}
+
+// A grid without a CRS, named as it stands beside the request, wherever the command is given.
+TEST_F(CommandLine, ADemBesideTheRequestIsFoundAndItsCrsStated) {
+  write_bank(folder.path() / "bank.asc");
+  json request = bank_region();
+  request["inputs"]["dem"] = "bank.asc";
+  request["inputs"]["dryRun"] = true;
+  const Output output = run_leda({"map", region_file(request), "--data", data(), "--epsg", "2950",
+                                  "--vertical-unit", "m", "--nodata", "none"});
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  const json plan = json::parse(output.text);
+  EXPECT_EQ(plan["dryRun"], true);
+  EXPECT_TRUE(plan["sections"][0]["warnings"].is_array()) << plan.dump(1);
+  request["inputs"]["dem"] = "no-such.tif";
+  const Output missing = run_leda({"map", region_file(request), "--data", data()});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_NE(missing.errors.find("neither here nor beside region.json"), std::string::npos)
+      << missing.errors;
 }
 
 TEST_F(CommandLine, AMapIsMadeComparedAndExported) {
@@ -130,6 +154,23 @@ TEST_F(CommandLine, AMapIsMadeComparedAndExported) {
       run_leda({"export", job, "--data", data(), "--format", "gpkg", "--out", package.string()});
   EXPECT_EQ(exported.exit_code, 0) << exported.errors;
   EXPECT_GT(std::filesystem::file_size(package), 10'000U);
+
+  // The ending says the format, and a format that it contradicts is refused.
+  const auto zones = folder.path() / "zones.geojson";
+  EXPECT_EQ(run_leda({"export", job, "--data", data(), "--out", zones.string()}).exit_code, 0);
+  std::ifstream written(zones);
+  EXPECT_EQ(json::parse(written)["type"], "FeatureCollection");
+  for (const auto& [format, name, exit_code] : {std::tuple{"shp", "zones.shp", 2},
+                                                {"shp", "zones.shp.zip", 0},
+                                                {"fgb", "zones.zip", 0},
+                                                {"gpkg", "zones.geojson", 2}}) {
+    const auto file = folder.path() / name;
+    const Output other =
+        run_leda({"export", job, "--data", data(), "--format", format, "--out", file.string()});
+    EXPECT_EQ(other.exit_code, exit_code) << format << " " << name << " " << other.errors;
+    EXPECT_EQ(std::filesystem::exists(file), exit_code == 0 || name == zones.filename());
+  }
+  EXPECT_EQ(run_leda({"export", job, "--data", data(), "--out", "zones.kml"}).exit_code, 2);
 
   EXPECT_EQ(run_leda({"compare", job, "AA'", "ZZ", "--data", data()}).exit_code, 2);
   EXPECT_EQ(run_leda({"export", "none", "--data", data(), "--out", "x.gpkg"}).exit_code, 2);

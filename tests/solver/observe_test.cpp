@@ -54,6 +54,32 @@ TEST(Observe, ADropBelowTheThresholdIsNone) {
   EXPECT_EQ(s.measured().retrogression_m, 0);
 }
 
+// A face that is exactly vertical: crest and toe have one x, and each side counts as its own.
+TEST(Observe, AVerticalFaceIsMeasuredOnTheSideItFallsTo) {
+  Slid right;
+  right.section.ground = {{0, 10}, {50, 10}, {50, 0}, {100, 0}};
+  right.bank_points = {{50, 10}, {50, 0}};
+  Slid left;
+  left.section.ground = {{0, 0}, {50, 0}, {50, 10}, {100, 10}};
+  left.bank_points = {{50, 10}, {50, 0}};
+  for (Slid* one : {&right, &left}) {
+    one->seeded = seed_particles(one->section, {1, 4, 0});
+    one->before = surface(one->model(), one->seeded);
+    // The uppermost 5 m of the outer 20 m, turned over onto the floor.
+    for (Particle& p : one->seeded.particles) {
+      if (std::abs(p.x - 50) > 20 || p.z < 8 || p.z > 13 + 1e-9) continue;
+      p.x = 100 - p.x;
+      p.z -= 5;
+    }
+    const Movement m = one->measured();
+    EXPECT_DOUBLE_EQ(m.retrogression_m, 20);
+    EXPECT_DOUBLE_EQ(m.runout_m, 20);
+    EXPECT_FALSE(m.far_side_dropped);
+    EXPECT_DOUBLE_EQ(
+        retrogression(one->before, surface(one->model(), one->seeded), one->bank_points), 20);
+  }
+}
+
 TEST(Observe, ALumpFarAheadIsNotTheFront) {
   Slid s;
   s.seeded.particles[0].x = 70;  // from the bank, thrown 20 m past the toe on its own

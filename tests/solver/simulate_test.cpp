@@ -11,7 +11,7 @@ namespace leda::solver::test {
 namespace {
 
 TEST(Simulate, AStrongBankStands) {
-  const SectionResult r = simulate(bank(6, 20, 60e3), coarse());
+  const SectionResult r = simulate(bank(8, 20, 80e3), coarse());
   EXPECT_EQ(r.status, RunStatus::stable);
   EXPECT_EQ(r.crest_to_crest_retrogression_m, 0);
   EXPECT_EQ(r.runout_m, 0);
@@ -95,6 +95,34 @@ TEST(Simulate, ASlideToTheEdgeOfTheModelSaysSo) {
   narrow.ground.back().x = narrow.ground[2].x + 5;
   const SectionResult r = simulate(narrow, settings);
   EXPECT_TRUE(reached_edge(r)) << "R " << r.crest_to_crest_retrogression_m << " L " << r.runout_m;
+}
+
+TEST(Simulate, ARunThatItsTimeLimitEndsGivesLowerBounds) {
+  RunSettings settings = coarse();
+  settings.trigger = UndrainedTrigger{4.0};
+  const SectionResult whole = simulate(one_slide(), settings);
+  ASSERT_EQ(whole.status, RunStatus::at_rest);
+  EXPECT_EQ(whole.retrogression_is, Bound::measured);
+  EXPECT_EQ(whole.runout_is, Bound::measured);
+  settings.stop.max_time_s = 3;
+  const SectionResult cut = simulate(one_slide(), settings);
+  ASSERT_EQ(cut.status, RunStatus::time_limit);
+  EXPECT_EQ(cut.retrogression_is, Bound::lower_bound);
+  EXPECT_EQ(cut.runout_is, Bound::lower_bound);
+  ASSERT_FALSE(cut.warnings.empty());
+  EXPECT_NE(cut.warnings[0].find("stopped at the time limit of 3 s while moving at "),
+            std::string::npos)
+      << cut.warnings[0];
+}
+
+TEST(Simulate, WhatIsOddAboutASectionComesWithItsResult) {
+  Section odd = one_slide();
+  odd.materials["clay"].k0 = 4;
+  RunSettings settings = coarse();
+  settings.stop.max_time_s = 0.1;
+  const SectionResult r = simulate(odd, settings);
+  EXPECT_TRUE(std::ranges::any_of(
+      r.warnings, [](const std::string& w) { return w.starts_with("material clay: k0 is 4"); }));
 }
 
 TEST(Simulate, TheSameCaseGivesTheSameBytes) {

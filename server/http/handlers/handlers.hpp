@@ -37,6 +37,8 @@ Answer get_export(Service& service, const Call& call);
 // rasters.cpp
 Answer post_raster(Service& service, const Call& call);
 Answer get_rasters(Service& service, const Call& call);
+Answer patch_raster(Service& service, const Call& call);
+Answer delete_raster(Service& service, const Call& call);
 Answer get_raster(Service& service, const Call& call);
 Answer get_hillshade(Service& service, const Call& call);
 

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "profiles/hillshade.hpp"
+#include "server/documents/json_syntax.hpp"
+#include "server/documents/object_reader.hpp"
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/parameters.hpp"
 #include "server/http/problem.hpp"
@@ -14,6 +16,17 @@ namespace {
 
 using nlohmann::json;
 
+template <class T>
+json or_null(const std::optional<T>& value) {
+  return value ? json(*value) : json();
+}
+
+/// Metres east and north; null where it is not known.
+json ground_cell(const db::RasterRecord& raster) {
+  if (!raster.cell_ground_x_m || !raster.cell_ground_y_m) return nullptr;
+  return {*raster.cell_ground_x_m, *raster.cell_ground_y_m};
+}
+
 json document_of(const db::RasterRecord& raster, const std::string& url) {
   return {
       {"id", raster.id},
@@ -23,6 +36,12 @@ json document_of(const db::RasterRecord& raster, const std::string& url) {
       {"size", {raster.width, raster.height}},
       {"bbox", raster.box},
       {"vertical_unit", raster.vertical_unit},
+      {"lowest_m", or_null(raster.lowest_m)},
+      {"highest_m", or_null(raster.highest_m)},
+      {"share_without_data", or_null(raster.share_without_data)},
+      {"cell_on_ground_m", ground_cell(raster)},
+      {"undeclared_fill_m", or_null(raster.undeclared_fill_m)},
+      {"warnings", raster.warnings},
       {"sha256", raster.sha256},
       {"created", raster.created},
       {"links",
@@ -30,12 +49,6 @@ json document_of(const db::RasterRecord& raster, const std::string& url) {
         {{"href", url + "/rasters/" + raster.id + "/hillshade.png"},
          {"rel", "preview"},
          {"type", "image/png"}}}}};
-}
-
-db::RasterRecord raster_or_problem(const Service& service, const std::string& id) {
-  auto raster = service.store.raster(id);
-  if (!raster) throw Problem(Failure::no_such_resource, "there is no raster '" + id + "'");
-  return *raster;
 }
 
 /// The body of the call in a file, for as long as this lives.
@@ -98,10 +111,11 @@ class RegistrationSlot {
 }  // namespace
 
 Answer post_raster(Service& service, const Call& call) {
-  profiles::DemOptions options;
-  options.epsg = whole_number(call, "epsg", 0, 1024, 999'999);
-  options.vertical_unit = call.parameter("vertical_unit").value_or("");
-  const std::string& unit = options.vertical_unit;
+  RegisterOptions options;
+  options.dem.epsg = whole_number(call, "epsg", 0, 1024, 999'999);
+  options.dem.vertical_unit = call.parameter("vertical_unit").value_or("");
+  read_nodata(call.parameter("nodata").value_or(""), options);
+  const std::string& unit = options.dem.vertical_unit;
   if (!unit.empty() && unit != "m" && unit != "ft" && unit != "us-ft") {
     throw Problem(Failure::invalid_parameter,
                   "vertical_unit is '" + unit + "': give m, ft or us-ft");
@@ -128,20 +142,49 @@ Answer get_rasters(Service& service, const Call& call) {
 
 Answer get_raster(Service& service, const Call& call) {
   format(call, {"json"});
-  return json_answer(document_of(raster_or_problem(service, call.captured[0]), service.url));
+  return json_answer(document_of(raster_or_problem(service.store, call.captured[0]), service.url));
+}
+
+Answer patch_raster(Service& service, const Call& call) {
+  FaultList faults;
+  const auto parsed = parse_json(call.read_body(service.limits.document_bytes));
+  std::string name;
+  if (parsed) {
+    ObjectReader reader(*parsed.value, "", faults);
+    name = reader.text("name", 100);
+    reader.refuse_unknown();
+  }
+  auto found = parsed ? faults.take() : parsed.faults;
+  if (!found.empty()) {
+    throw Problem(Failure::invalid_request, "the body must be {\"name\": \"...\"}", found);
+  }
+  const auto raster = rename_raster(service.store, call.captured[0], name);
+  return json_answer(document_of(raster, service.url));
+}
+
+Answer delete_raster(Service& service, const Call& call) {
+  remove_raster(service.data, service.store, call.captured[0]);
+  Answer answer;
+  answer.status = 204;
+  return answer;
 }
 
 Answer get_hillshade(Service& service, const Call& call) {
-  const auto raster = raster_or_problem(service, call.captured[0]);
-  const std::string tag = "\"" + raster.id + "\"";  // a part of its file's hash
+  const auto raster = raster_or_problem(service.store, call.captured[0]);
+  // The id is a part of the file's hash; what counts as missing may be said anew.
+  std::string tag = "\"" + raster.id;
+  if (raster.undeclared_fill_m) tag += "-" + show(*raster.undeclared_fill_m);
+  tag += '"';
   if (has_already(call, tag)) return not_modified(tag);
   Answer answer;
   answer.headers.emplace_back("ETag", tag);
   answer.type = "image/png";
-  answer.file = service.data.rasters() / (raster.id + ".hillshade.png");
+  answer.file = hillshade_file(service.data, raster.id);
   answer.headers.emplace_back("Cache-Control", "max-age=86400");
   if (!std::filesystem::exists(answer.file)) {
-    const auto dem = profiles::Dem::open(service.data.root() / raster.file);
+    profiles::DemOptions options;
+    options.missing_m = raster.undeclared_fill_m;
+    const auto dem = profiles::Dem::open(service.data.root() / raster.file, options);
     profiles::write_hillshade(dem, answer.file);
   }
   return answer;

@@ -5,6 +5,7 @@
 
 #include "server/documents/result_document.hpp"
 #include "server/layers/summary.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -49,6 +50,8 @@ json section_row(const db::SectionRecord& section) {
               {"crest_to_crest_retrogression_m", nullptr},
               {"runout_m", nullptr},
               {"runout_from_crest_m", nullptr},
+              {"retrogression_is", nullptr},
+              {"runout_is", nullptr},
               {"slides", nullptr},
               {"simulated_s", nullptr},
               {"run_time_s", nullptr},
@@ -57,12 +60,14 @@ json section_row(const db::SectionRecord& section) {
               {"case_sha256", nullptr},
               {"version", nullptr},
               {"engine", nullptr}};
-  row["warnings"] = section.warnings;
+  auto warnings = section.warnings;
   if (section.result) {
     const SectionResult& result = *section.result;
     row["crest_to_crest_retrogression_m"] = result.crest_to_crest_retrogression_m;
     row["runout_m"] = result.runout_m;
     row["runout_from_crest_m"] = result.runout_from_crest_m;
+    row["retrogression_is"] = to_string(result.retrogression_is);
+    row["runout_is"] = to_string(result.runout_is);
     row["slides"] = result.slides;
     row["simulated_s"] = result.simulated_s;
     row["run_time_s"] = result.run_time_s;
@@ -71,8 +76,10 @@ json section_row(const db::SectionRecord& section) {
     row["case_sha256"] = result.case_sha256;
     row["version"] = result.version;
     if (result.engine) row["engine"] = to_document(*result.engine);
-    for (const auto& warning : result.warnings) row["warnings"].push_back(warning);
+    warnings = result.warnings;
+    add_new(warnings, section.warnings);
   }
+  row["warnings"] = warnings;
   return row;
 }
 

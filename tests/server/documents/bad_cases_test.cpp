@@ -119,7 +119,7 @@ const BadCase corpus[] = {
      {"/materials/S1/shear_modulus_kPa"}},
     {"both_moduli",
      Schema::sees_it,
-     R"([{"op": "add", "path": "/materials/S1/youngs_modulus_kPa", "value": 1}])",
+     R"([{"op": "add", "path": "/materials/S1/youngs_modulus_kPa", "value": 12000}])",
      {"/materials/S1/youngs_modulus_kPa"}},
     {"youngs_modulus_negative",
      Schema::sees_it,

@@ -42,6 +42,24 @@ TEST(MapLine, PointsAtFault) {
             Pointers{"/l"});
 }
 
+TEST(MapLine, WhatItMayHaveBeenIsSaid) {
+  const auto told = [](const char* text) {
+    FaultList faults;
+    read_map_line(json::parse(text), "/l", 10, faults);
+    const auto found = faults.take();
+    return found.size() == 1 ? found[0].pointer + " " + found[0].message : "no single fault";
+  };
+  EXPECT_NE(told("[[[0, 0], [1, 1]], [[2, 2], [3, 3]]]").find("a list of 2 lines (a MultiLineSt"),
+            std::string::npos);
+  EXPECT_NE(told(R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})")
+                .find("its coordinates alone"),
+            std::string::npos);
+  const std::string close = told("[[5, 0], [10, 0], [10.0002, 0], [10, 20]]");
+  EXPECT_TRUE(close.starts_with("/l/2 (10.0002, 0) lies 0.0002 from the point before it")) << close;
+  const std::string crossing = told("[[0, 0], [10, 10], [10, 0], [0, 10]]");
+  EXPECT_NE(crossing.find("which starts at (10, 0)"), std::string::npos) << crossing;
+}
+
 TEST(MapPolygon, IsClosedAndDoesNotCross) {
   FaultList faults;
   const auto open = read_map_polygon(json::parse("[[0, 0], [4, 0], [4, 4]]"), "/p", 10, faults);

@@ -82,6 +82,7 @@ TEST(OpenApi, EveryRouteIsDescribedOnceAndSaysWhatItAnswers) {
     for (const auto& [verb, operation] : operations.items()) {
       EXPECT_TRUE(ids.insert(operation["operationId"].get<std::string>()).second) << path;
       const json& answers = operation["responses"];
+      if (answers.contains("204")) continue;  // nothing comes back
       const json& success = answers.contains("201") ? answers["201"] : answers["200"];
       EXPECT_FALSE(success["content"].empty()) << verb << " " << path;
     }

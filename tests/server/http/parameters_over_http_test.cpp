@@ -138,6 +138,39 @@ TEST_F(Parameterized, AllowNamesEveryMethodThatWorks) {
   EXPECT_EQ(client.Options("/nothing")->status, 404);
 }
 
+TEST_F(Parameterized, ARasterTellsWhatItHoldsIsRenamedAndRemoved) {
+  const auto raster = ok("/rasters/valley");
+  EXPECT_EQ(raster["lowest_m"], 3.25);
+  EXPECT_EQ(raster["highest_m"], 51);
+  EXPECT_EQ(raster["share_without_data"], 0.125);
+  EXPECT_EQ(raster["cell_on_ground_m"], (json{0.9999, 1.4999}));
+  EXPECT_EQ(raster["undeclared_fill_m"], 0);
+  EXPECT_EQ(raster["warnings"], (json{"a piece of zeros"}));
+  EXPECT_EQ(ok("/rasters")["rasters"][0], raster);
+
+  const auto patch = [&](const char* body) {
+    return client.Patch("/rasters/valley", body, "application/json");
+  };
+  expect_problem(patch(R"({"name": "../x"})"), 400, "no name for a raster");
+  expect_problem(patch(R"({"title": "hill"})"), 400, "an unknown member");
+  expect_problem(patch("hill"), 400, "no JSON");
+  const auto renamed = patch(R"({"name": "hill"})");
+  ASSERT_EQ(renamed->status, 200) << renamed->body;
+  EXPECT_EQ(json::parse(renamed->body)["name"], "hill");
+  expect_problem(client.Patch("/rasters/valley", R"({"name": "x"})", "application/json"), 404,
+                 "the old name");
+
+  db::JobRecord job = db::samples::job("going");
+  job.raster = db::samples::raster().id;
+  service.store.add_job(job);
+  expect_problem(client.Delete("/rasters/hill"), 409, "an unfinished job stands on it");
+  service.store.set_job_state("going", db::JobState::dismissed, "");
+  EXPECT_EQ(client.Delete("/rasters/hill")->status, 204);
+  expect_problem(client.Get("/rasters/hill"), 404, "removed");
+  EXPECT_TRUE(ok("/rasters")["rasters"].empty());
+  EXPECT_EQ(ok("/collections/sections/items")["numberMatched"], 1) << "of a finished job";
+}
+
 TEST_F(Parameterized, ABodyInAnEncodingThatIsNotSpokenIsRefused) {
   const auto post = [&](const httplib::Headers& headers, const char* type) {
     return client.Post("/processes/simulate-section/execution", headers, "{}", type);

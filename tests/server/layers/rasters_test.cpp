@@ -36,7 +36,7 @@ class RastersTest : public testing::Test {
   tests::TemporaryFolder folder;
   DataFolder data{folder.path() / "data"};
   db::Store store{data.store()};
-  profiles::DemOptions mtm8{"m", 2950, {}};
+  RegisterOptions mtm8{.dem = {.vertical_unit = "m", .epsg = 2950, .limits = {}}};
 };
 
 TEST_F(RastersTest, ADemIsCopiedIntoTheDataFolder) {
@@ -74,6 +74,72 @@ TEST_F(RastersTest, WhatIsNoDemIsRefusedAndLeavesNothing) {
   EXPECT_TRUE(store.rasters().empty());
   EXPECT_TRUE(std::filesystem::is_empty(data.rasters()));
   EXPECT_TRUE(std::filesystem::is_empty(data.uploads()));
+}
+
+TEST_F(RastersTest, WhatTheCellsHoldIsKept) {
+  const auto raster = register_raster(data, store, bank(10), "a", mtm8);
+  EXPECT_EQ(raster.lowest_m, 0);
+  EXPECT_EQ(raster.highest_m, 10);
+  EXPECT_EQ(raster.share_without_data, 0);
+  ASSERT_TRUE(raster.cell_ground_x_m);
+  EXPECT_NEAR(*raster.cell_ground_x_m, 1, 0.002);
+  // Half of it is exactly 0, and the ground beside stands 10 m above.
+  EXPECT_EQ(raster.undeclared_fill_m, 0);
+  EXPECT_EQ(raster.warnings.size(), 1U);
+  EXPECT_EQ(store.raster("a")->warnings, raster.warnings);
+}
+
+TEST_F(RastersTest, ThatACellIsGroundCanBeSaidLater) {
+  const auto first = register_raster(data, store, bank(10), "a", mtm8);
+  read_nodata("none", mtm8);
+  const auto again = register_raster(data, store, bank(10), "a", mtm8);
+  EXPECT_EQ(again.id, first.id);
+  EXPECT_FALSE(again.undeclared_fill_m);
+  EXPECT_FALSE(store.raster("a")->undeclared_fill_m);
+}
+
+TEST_F(RastersTest, NodataIsANumberOrNone) {
+  RegisterOptions options;
+  read_nodata("", options);
+  EXPECT_FALSE(options.dem.nodata);
+  read_nodata("-32768", options);
+  EXPECT_EQ(options.dem.nodata, -32768);
+  for (const char* text : {"nothing", "1,5", "1 ", "0x10"}) {
+    EXPECT_EQ(failure_of([&] { read_nodata(text, options); }), Failure::invalid_parameter) << text;
+  }
+}
+
+TEST_F(RastersTest, ARasterIsRenamed) {
+  const auto a = register_raster(data, store, bank(10), "a", mtm8);
+  const auto b = register_raster(data, store, bank(12), "b", mtm8);
+  EXPECT_EQ(rename_raster(store, a.id, "c").name, "c");
+  EXPECT_EQ(rename_raster(store, a.id, "c").name, "c");
+  EXPECT_EQ(failure_of([&] { rename_raster(store, a.id, "b"); }), Failure::name_taken);
+  EXPECT_EQ(failure_of([&] { rename_raster(store, a.id, "../b"); }), Failure::invalid_parameter);
+  EXPECT_EQ(failure_of([&] { rename_raster(store, "dem-0", "d"); }), Failure::no_such_resource);
+}
+
+TEST_F(RastersTest, ARasterIsRemovedUnlessAJobNeedsIt) {
+  const auto raster = register_raster(data, store, bank(10), "a", mtm8);
+  db::JobRecord job;
+  job.id = "job-1";
+  job.process = "map-region";
+  job.name = "region";
+  job.request = "{}";
+  job.raster = raster.id;
+  store.add_job(job);
+  EXPECT_EQ(failure_of([&] { remove_raster(data, store, raster.id); }), Failure::wrong_state);
+  EXPECT_TRUE(std::filesystem::exists(data.root() / raster.file));
+  store.set_job_state("job-1", db::JobState::successful, "done");
+  remove_raster(data, store, "a");
+  EXPECT_TRUE(store.rasters().empty());
+  EXPECT_FALSE(std::filesystem::exists(data.root() / raster.file));
+  EXPECT_EQ(store.raster(raster.id)->epsg, 2950) << "the place of the job's features";
+  EXPECT_EQ(failure_of([&] { remove_raster(data, store, raster.id); }), Failure::no_such_resource);
+  // Its name is free, and it can come back.
+  EXPECT_EQ(register_raster(data, store, bank(12), "a", mtm8).name, "a");
+  EXPECT_EQ(register_raster(data, store, bank(10), "again", mtm8).id, raster.id);
+  EXPECT_EQ(store.rasters().size(), 2U);
 }
 
 TEST(RasterName, NeverReadsLikeAPath) {

@@ -1,0 +1,103 @@
+#include "solver/section/seen_by_particles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/section/crest_and_toe.hpp"
+
+namespace leda {
+namespace {
+
+// The columns and rows that solver/run/seed_particles.cpp fills.
+struct Lattice {
+  double left_m, base_m, spacing_m;
+  std::size_t columns;
+
+  double x(std::size_t column) const {
+    return left_m + (static_cast<double>(column) + 0.5) * spacing_m;
+  }
+  /// Rows whose centre lies at `bottom` or above it, and below `top`.
+  double rows(double bottom, double top) const {
+    const auto below = [&](double z) { return std::ceil((z - base_m) / spacing_m - 0.5); };
+    return std::max(0.0, below(top) - std::max(0.0, below(bottom)));
+  }
+  /// Adds what of a body lies in one column.
+  void add(Seen& seen, double bottom, double top) const {
+    if (!(top > bottom)) return;
+    const double count = rows(bottom, top);
+    seen.area_m2 += (top - bottom) * spacing_m;
+    seen.seen_m2 += count * spacing_m * spacing_m;
+    seen.length_m += spacing_m;
+    if (count == 0) seen.missed_m += spacing_m;
+  }
+};
+
+Lattice lattice_of(const Section& section, const Resolution& resolution) {
+  const double length = section.ground.back().x - section.ground.front().x;
+  const double per_side = std::round(std::sqrt(resolution.particles_per_cell));
+  const double cells = std::ceil(length / resolution.cell_m - 1e-9);
+  return {section.ground.front().x, section.base_m, particle_spacing(resolution),
+          static_cast<std::size_t>(std::max(0.0, cells) * per_side)};
+}
+
+// Elevations at which the edge of a polygon crosses a vertical, upwards.
+std::vector<double> crossings(const Polyline& polygon, double x) {
+  std::vector<double> at;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Point &a = polygon[i], &b = polygon[j];
+    if ((a.x > x) == (b.x > x)) continue;
+    at.push_back(a.z + (b.z - a.z) * ((x - a.x) / (b.x - a.x)));
+  }
+  std::ranges::sort(at);
+  return at;
+}
+
+}  // namespace
+
+double particle_spacing(const Resolution& resolution) {
+  return resolution.cell_m / std::round(std::sqrt(resolution.particles_per_cell));
+}
+
+std::vector<Seen> seen_layers(const Section& section, const Resolution& resolution) {
+  // Depths below the toe would look for the toe at every column.
+  Section with_toe = section;
+  if (const auto bank = find_crest_and_toe(section.ground); bank && !with_toe.toe) {
+    with_toe.toe = bank->toe;
+  }
+  const Lattice lattice = lattice_of(section, resolution);
+  std::vector<Seen> seen(section.layers.size());
+  for (std::size_t column = 0; column < lattice.columns; ++column) {
+    const double x = lattice.x(column);
+    double top = std::max(elevation_at(section.ground, x), section.base_m);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const bool last = i + 1 == seen.size();
+      const double bottom = last ? section.base_m : std::min(top, layer_bottom(with_toe, i, x));
+      lattice.add(seen[i], bottom, top);
+      top = bottom;
+    }
+  }
+  return seen;
+}
+
+bool is_part_of_neighbour(const Section& section, std::size_t layer) {
+  const auto same = [&](std::size_t other) {
+    return section.layers[other].material == section.layers[layer].material;
+  };
+  return (layer > 0 && same(layer - 1)) || (layer + 1 < section.layers.size() && same(layer + 1));
+}
+
+Seen seen_inside(const Section& section, const Resolution& resolution, const Polyline& polygon) {
+  const Lattice lattice = lattice_of(section, resolution);
+  Seen seen;
+  for (std::size_t column = 0; column < lattice.columns; ++column) {
+    const double x = lattice.x(column);
+    const double ground = elevation_at(section.ground, x);
+    const std::vector<double> at = crossings(polygon, x);
+    for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
+      lattice.add(seen, std::max(at[i], section.base_m), std::min(at[i + 1], ground));
+    }
+  }
+  return seen;
+}
+
+}  // namespace leda

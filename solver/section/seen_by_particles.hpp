@@ -1,0 +1,40 @@
+#pragma once
+// What particles see of a thin body of ground. They stand on a square lattice (solver/README.md,
+// seeds): what lies between two of its rows does not exist for them, and a body thicker than that
+// counts as whole rows.
+
+#include <vector>
+
+#include "solver/section/run_settings.hpp"
+#include "solver/section/section.hpp"
+
+namespace leda {
+
+/// A body of ground, and the particles in it.
+struct Seen {
+  double area_m2 = 0;
+  double seen_m2 = 0;   ///< area of the particles in it
+  double length_m = 0;  ///< along the section, where the body is
+  double missed_m = 0;  ///< of that, where no particle is in it
+
+  bool exists() const { return area_m2 > 0; }
+  bool lost() const { return exists() && seen_m2 == 0; }
+  double thickness_m() const { return exists() ? area_m2 / length_m : 0; }
+  double seen_thickness_m() const { return exists() ? seen_m2 / length_m : 0; }
+};
+
+/// Distance between two rows of particles, m.
+double particle_spacing(const Resolution& resolution);
+
+/// One entry a layer, in their order.
+/// @pre ground, layers and resolution have no fault
+std::vector<Seen> seen_layers(const Section& section, const Resolution& resolution);
+
+/// Whether a layer continues into one beside it of the same material: it is no body of its own.
+bool is_part_of_neighbour(const Section& section, std::size_t layer);
+
+/// The ground inside a polygon.
+/// @pre as seen_layers; the polygon does not cross itself
+Seen seen_inside(const Section& section, const Resolution& resolution, const Polyline& polygon);
+
+}  // namespace leda

@@ -1,0 +1,110 @@
+#include "solver/section/warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/section/crest_and_toe.hpp"
+#include "solver/section/fault_list.hpp"
+#include "solver/section/seen_by_particles.hpp"
+#include "solver/section/toe_cut.hpp"
+
+namespace leda {
+namespace {
+
+/// A thickness is rounded to whole rows of particles; up to this share it goes unsaid.
+constexpr double most_rounding = 0.2;
+/// A bank of few cells holds too long: a vertical cut fails at a stability number of 4.43 with 10
+/// cells over its height, 4.17 with 20, 4.02 with 40; exact is 3.78 (tests/verification/README.md).
+constexpr double few_cells_high = 8;
+
+std::string rounded(double value) { return show(std::round(value * 100) / 100); }
+
+std::string cell_that_sees(const Seen& seen, const Resolution& resolution) {
+  const double rows_per_cell = resolution.cell_m / particle_spacing(resolution);
+  const double cell = most_rounding * seen.thickness_m() * rows_per_cell;
+  return "a cell of at most " + show(std::floor(cell * 1000 + 1e-6) / 1000) + " m sees it as it is";
+}
+
+void warn_of_rounding(const std::string& name, const Seen& seen, const Resolution& resolution,
+                      std::vector<std::string>& warnings) {
+  if (!seen.exists() || seen.lost()) return;
+  const double missed = seen.missed_m / seen.length_m;
+  if (std::abs(seen.seen_m2 / seen.area_m2 - 1) > most_rounding) {
+    warnings.push_back(name + " is " + rounded(seen.thickness_m()) + " m thick and acts as " +
+                       rounded(seen.seen_thickness_m()) + " m: particles stand " +
+                       rounded(particle_spacing(resolution)) + " m apart; " +
+                       cell_that_sees(seen, resolution));
+  } else if (missed > most_rounding) {
+    warnings.push_back(name + " is thinner than the particles' spacing (" +
+                       rounded(particle_spacing(resolution)) + " m) along " +
+                       show(std::round(100 * missed)) + " % of its length, where none sees it; " +
+                       cell_that_sees(seen, resolution));
+  }
+}
+
+void warn_of_thin_layers(const Section& section, const Resolution& resolution,
+                         std::vector<std::string>& warnings) {
+  const std::vector<Seen> seen = seen_layers(section, resolution);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (is_part_of_neighbour(section, i)) continue;
+    warn_of_rounding("layer " + std::to_string(i + 1) + " (" + section.layers[i].material + ")",
+                     seen[i], resolution, warnings);
+  }
+}
+
+void warn_of_thin_cuts(const Section& section, const RunSettings& settings,
+                       std::vector<std::string>& warnings) {
+  if (const auto* excavation = std::get_if<ExcavationTrigger>(&settings.trigger)) {
+    warn_of_rounding("the excavation",
+                     seen_inside(section, settings.resolution, excavation->polygon),
+                     settings.resolution, warnings);
+    return;
+  }
+  const auto& cut = std::get<UndrainedTrigger>(settings.trigger).then_toe_cut_m;
+  const auto bank = bank_in_use(section);
+  if (!cut || !bank) return;
+  warn_of_rounding("the toe cut",
+                   seen_inside(section, settings.resolution, toe_cut(section, *bank, *cut)),
+                   settings.resolution, warnings);
+}
+
+void warn_of_coarse_cells(const Section& section, double cell_m,
+                          std::vector<std::string>& warnings) {
+  const auto bank = bank_in_use(section);
+  if (!bank) return;
+  const double height = bank->crest.z - bank->toe.z;
+  if (height / cell_m >= few_cells_high) return;
+  warnings.push_back("the bank is " + rounded(height / cell_m) + " cells high (" + rounded(height) +
+                     " m): with fewer than " + show(few_cells_high) +
+                     " it stands longer and slides less than it would; a cell of at most " +
+                     show(std::floor(height / few_cells_high * 1000 + 1e-6) / 1000) +
+                     " m has them");
+}
+
+void warn_of_water(const Section& section, std::vector<std::string>& warnings) {
+  if (!section.water_table || !section.water_table->depth_m) return;
+  const double highest = std::ranges::max(section.ground, {}, &Point::z).z;
+  if (highest - *section.water_table->depth_m > section.base_m) return;
+  warnings.push_back("the water table, " + show(*section.water_table->depth_m) +
+                     " m below ground, lies below the base everywhere: the section is dry");
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const Section& section, const RunSettings& settings) {
+  std::vector<std::string> warnings;
+  warn_of_coarse_cells(section, settings.resolution.cell_m, warnings);
+  warn_of_thin_layers(section, settings.resolution, warnings);
+  warn_of_thin_cuts(section, settings, warnings);
+  warn_of_water(section, warnings);
+  add_new(warnings, warnings_of(section.materials));
+  return warnings;
+}
+
+void add_new(std::vector<std::string>& warnings, const std::vector<std::string>& more) {
+  for (const std::string& warning : more) {
+    if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+  }
+}
+
+}  // namespace leda
