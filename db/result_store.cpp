@@ -13,7 +13,8 @@ const std::string& result_columns() {
       "results.runout_from_crest_m, results.retrogression_is, results.runout_is, "
       "results.crest_x_m, results.crest_z_m, results.toe_x_m, "
       "results.toe_z_m, results.backscarp_x_m, results.backscarp_z_m, results.front_x_m, "
-      "results.front_z_m, results.trigger_used, results.slides, results.simulated_s, "
+      "results.front_z_m, results.trigger_used, results.slides, results.rate_from_s, "
+      "results.simulated_s, "
       "results.run_time_s, results.steps, results.particles, results.ns_per_particle_step, "
       "results.mass_error, results.momentum_error, results.energy_error, "
       "results.numerical_dissipation, results.profile_after, results.warnings, "
@@ -53,7 +54,7 @@ SectionResult result_from(Query& row) {
                        .front = {row.real(), row.real()},
                        .trigger_used = row.text(),
                        .slides = row.small_integer(),
-                       .rate_from_s = {},
+                       .rate_from_s = row.optional_real(),
                        .simulated_s = row.real(),
                        .run_time_s = row.real(),
                        .steps = row.integer(),
@@ -98,17 +99,18 @@ void insert_result(Database& database, std::int64_t section, const std::string& 
         "INSERT INTO results (run_id, section_id, status, reason, retrogression_m, runout_m, "
         "runout_from_crest_m, retrogression_is, runout_is, crest_x_m, crest_z_m, toe_x_m, toe_z_m, "
         "backscarp_x_m, "
-        "backscarp_z_m, front_x_m, front_z_m, trigger_used, slides, simulated_s, run_time_s, "
+        "backscarp_z_m, front_x_m, front_z_m, trigger_used, slides, rate_from_s, simulated_s, "
+        "run_time_s, "
         "steps, particles, ns_per_particle_step, mass_error, momentum_error, energy_error, "
         "numerical_dissipation, profile_after, warnings, case_sha256, version, taken_in, "
-        "document) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+        "document) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
         "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .with(run, section, to_string(r.status), r.reason, r.crest_to_crest_retrogression_m,
             r.runout_m, r.runout_from_crest_m, to_string(r.retrogression_is),
             to_string(r.runout_is), r.crest.x, r.crest.z, r.toe.x, r.toe.z, r.backscarp.x,
-            r.backscarp.z, r.front.x, r.front.z, r.trigger_used, r.slides, r.simulated_s,
-            r.run_time_s, r.steps, r.particles, r.ns_per_particle_step, r.balances.mass,
-            r.balances.momentum, r.balances.energy, r.numerical_dissipation,
+            r.backscarp.z, r.front.x, r.front.z, r.trigger_used, r.slides, r.rate_from_s,
+            r.simulated_s, r.run_time_s, r.steps, r.particles, r.ns_per_particle_step,
+            r.balances.mass, r.balances.momentum, r.balances.energy, r.numerical_dissipation,
             to_json(r.profile_after), to_json(r.warnings), r.case_sha256, r.version, utc_now(),
             document)
       .run();

@@ -51,6 +51,7 @@ TEST_F(ResultStore, AResultComesBackWhole) {
   EXPECT_EQ(back.front, r.front);
   EXPECT_EQ(back.trigger_used, r.trigger_used);
   EXPECT_EQ(back.slides, r.slides);
+  EXPECT_EQ(back.rate_from_s, r.rate_from_s);
   EXPECT_EQ(back.simulated_s, r.simulated_s);
   EXPECT_EQ(back.run_time_s, r.run_time_s);
   EXPECT_EQ(back.steps, r.steps);

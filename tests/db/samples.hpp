@@ -103,6 +103,7 @@ inline SectionResult result(RunStatus status = RunStatus::at_rest) {
   r.front = {272.4, 8.1};
   r.trigger_used = "undrained";
   r.slides = 6;
+  r.rate_from_s = 2.5;
   r.simulated_s = 61;
   r.run_time_s = 40.2;
   r.steps = 24'000'000'000;

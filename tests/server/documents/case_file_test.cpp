@@ -52,6 +52,9 @@ TEST(CaseFile, EveryKeyArrives) {
   EXPECT_EQ(m.at("upper").peak_strength.by, Strength::By::depth);
   EXPECT_EQ(m.at("upper").softening->regularization, Regularization::whole_curve);
   EXPECT_EQ(std::get<UrmiSoftening>(m.at("upper").softening->law).remolded_strain, 9.1);
+  EXPECT_EQ(std::get<SemiLogarithmicRate>(*m.at("upper").rate).per_decade, 0.11);
+  EXPECT_EQ(std::get<PowerRate>(*m.at("upper").remolded_rate).reference_rate, 1.2);
+  EXPECT_EQ(m.at("upper").tensile_strength_Pa, 4700);
   EXPECT_EQ(m.at("middle").peak_strength.by, Strength::By::elevation);
   EXPECT_EQ(m.at("middle").softening->regularization, Regularization::none);
   EXPECT_EQ(std::get<EinavRandolphSoftening>(m.at("middle").softening->law).strain_95, 0.7);
@@ -62,6 +65,18 @@ TEST(CaseFile, EveryKeyArrives) {
   EXPECT_EQ(c.settings.resolution.seed, 9007199254740992U);
   EXPECT_EQ(c.settings.time_step_factor, 0.3);
   EXPECT_TRUE(c.settings.output.paraview);
+}
+
+TEST(CaseFile, ABandIsWrittenAsItIsRead) {
+  auto document = nlohmann::json::parse(test::read_case("sainte-monique-AA.json"));
+  for (const char* name : {"S1", "B1"}) {
+    document["materials"][name]["softening"]["regularization"] = "band";
+    document["materials"][name]["softening"]["band_m"] = 2.5;
+  }
+  const CaseFile c = parsed(document.dump());
+  EXPECT_EQ(c.section.materials.at("S1").softening->regularization, Regularization::band);
+  EXPECT_EQ(c.section.materials.at("S1").softening->band_m, 2.5);
+  EXPECT_EQ(parsed(canonical_text(c)).section.materials.at("B1").softening->band_m, 2.5);
 }
 
 TEST(CanonicalText, IsAFixedPoint) {
