@@ -10,6 +10,7 @@
 # script ends with 1 and names it.
 set -euo pipefail
 
+here=$(cd "$(dirname "$0")" && pwd)
 at_a_time=1 only='' commit=''
 while getopts 'j:g:c:' option; do
   case $option in
@@ -110,7 +111,7 @@ trap 'kill $(jobs -p) 2>/dev/null; wait; exit 4' INT TERM
 while IFS=$'\t' read -r group name case change; do
   [[ -n $only && $group != "$only" ]] && continue
   folder="$out/$(slug "$group" "$name")"
-  text=$(jq "$change" "$cases/$case.json")
+  text=$(jq -L "$here" "$change" "$cases/$case.json")
   hash=$(sha256sum <<<"$text" | cut -c1-12)
   row="$out/rows/$(slug "$group" "$name")"
   if [[ -n $commit && -s $row ]] && grep -qF -- "\"$group\",\"$name\",\"$commit\",\"$hash\"," "$row"; then

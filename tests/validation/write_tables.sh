@@ -48,10 +48,10 @@ ask() { sqlite3 -init "$scratch/views.sql" :memory: "$1" 2>&1; }
 
 rows_of() {
   case $1 in
-    landslide) ask "SELECT '| ' || coalesce(label, shown.name) || ' | ' || coalesce(field, '') || ' | '
+    landslide | blind) ask "SELECT '| ' || coalesce(label, shown.name) || ' | ' || coalesce(field, '') || ' | '
         || coalesce(thesis, '') || ' | ' || R || ' / ' || L || ' / ' || Lc || ' | ' || slides || ' | '
         || rest || ' | ' || run_time || ' | ' || energy || ' | ' || warnings || ' |'
-      FROM shown LEFT JOIN published USING (grp, name) WHERE grp = 'landslide' ORDER BY place" ;;
+      FROM shown LEFT JOIN published USING (grp, name) WHERE grp = '$1' ORDER BY place" ;;
     appendix) ask "SELECT '| ' || peak_kPa || ' / ' || remolded_kPa || ' / ' || shape_factor || ' | ' || L_R_m
         || ' | ' || R || ' | ' || L_O_m || ' | ' || Lc || ' | ' || slides || ' | ' || rest || ' |'
       FROM shown JOIN appendix
