@@ -93,6 +93,7 @@ struct FromNodes {
   T softening;           ///< plastic strain of the last step, averaged over a band; else zero
 
   static constexpr std::size_t count = 12;
+  static constexpr std::size_t motion = 10;  ///< of them, which every step takes
   std::array<T*, count> all() {
     return {&vx, &vz, &mxx, &mxz, &mzx, &mzz, &lxx, &lxz, &lzx, &lzz, &seen, &softening};
   }

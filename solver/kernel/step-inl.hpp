@@ -57,14 +57,19 @@ HWY_INLINE bool gather(D d, const Pack<Number<D>>& p, const PackPlace& place, st
   if (HWY_UNLIKELY(!hn::AllFalse(d, stray))) {
     inside = gather_strays(d, grid, place, l, stray, x, z, taken);
   }
+  const auto from = taken.all();
+  const auto lanes = to.all();
+  constexpr std::size_t motion = FromNodes<hn::Vec<D>>::motion, all = from.size();
+  const bool more = grid.shows_mass || grid.band.exists();
   // A lane without a point takes nothing: velocities of nearly massless nodes must not reach it.
   const auto point = hn::Gt(mass, hn::Zero(d));
   if (!hn::AllTrue(d, point)) {
-    for (auto* value : taken.all()) *value = hn::IfThenElseZero(point, *value);
+    for (auto* value : from) *value = hn::IfThenElseZero(point, *value);
   }
-  const auto from = taken.all();
-  const auto lanes = to.all();
-  for (std::size_t v = 0; v < from.size(); ++v) hn::Store(*from[v], d, *lanes[v] + l);
+  for (std::size_t v = 0; v < motion; ++v) hn::Store(*from[v], d, *lanes[v] + l);
+  if (more) {
+    for (std::size_t v = motion; v < all; ++v) hn::Store(*from[v], d, *lanes[v] + l);
+  }
   return inside;
 }
 
