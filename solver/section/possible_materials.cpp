@@ -40,7 +40,7 @@ void check_friction_angle(double angle, const std::string& at, FaultList& faults
 /// Pa for kPa, MPa for kPa. Sensitive clays have up to 320 kPa (thesis Table 3-1); ground softer
 /// than its strength would strain by more than the whole before it yields.
 void check_magnitudes(const Material& m, const std::string& at, FaultList& faults) {
-  constexpr double most_softening_kPa = 1000;
+  constexpr double most_softening_kPa = 1000, stiffest_softening = 20'000;
   const std::string key = at + "/peak_strength_kPa";
   if (m.peak_strength.by != Strength::By::constant && m.peak_strength.table.empty()) return;
   const double largest = m.peak_strength.largest() / kilo;
@@ -49,6 +49,11 @@ void check_magnitudes(const Material& m, const std::string& at, FaultList& fault
   if (m.softening && largest > most_softening_kPa) {
     faults.add(key, "is " + show(largest) + " kPa, must be at most " + show(most_softening_kPa) +
                         " kPa in clay that softens; is it in Pa?");
+  } else if (m.softening && largest > 0 && modulus > stiffest_softening * largest) {
+    faults.add(key, "is " + show(largest) + " kPa beside a shear modulus of " + show(modulus) +
+                        " kPa, which must be at most " + show(stiffest_softening) +
+                        " times as much in clay that softens (47 to 123 are known); is one of " +
+                        "them in another unit?");
   } else if (modulus > 0 && smallest > 0 && modulus < smallest) {
     faults.add(key, "is " + show(smallest) + " kPa, must be at most the shear modulus, " +
                         show(modulus) + " kPa; is one of them in another unit?");
