@@ -1,6 +1,7 @@
 #include "profiles/zonation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,27 @@ MapPoint downhill(const PlacedResult& s) {
 }
 
 MapPoint scaled(MapPoint v, double by) { return {v.x * by, v.y * by}; }
+
+// "S001", "S001, S002, S003", "S001, S002 and 56 more".
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 3;
+  if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}, {} and {} more", names[0], names[1], names.size() - 2);
+}
+
+// Each warning once, in the order they come, with the sections it is about.
+std::vector<std::string> warnings_of(const std::vector<const PlacedResult*>& sections) {
+  std::vector<std::string> texts;
+  std::map<std::string, std::vector<std::string>> about;
+  for (const PlacedResult* s : sections) {
+    for (const std::string& text : s->warnings) {
+      if (about[text].empty()) texts.push_back(text);
+      about[text].push_back(s->section);
+    }
+  }
+  for (std::string& text : texts) text = some_of(about[text]) + ": " + text;
+  return texts;
+}
 
 // A chain of sections joined to one zone of each kind; the rings are what it is made of.
 struct Chain {
@@ -179,10 +201,10 @@ class Zonation {
       sum += distance_m;
       const Bound is = release ? s->retrogression_is : s->runout_is;
       if (is == Bound::lower_bound) zone.distance_is = is;
-      for (const std::string& w : s->warnings) zone.warnings.push_back(s->section + ": " + w);
       made_of += "\n" + s->section + " " + s->made_by;
     }
     zone.mean_distance_m = sum / static_cast<double>(chain.sections.size());
+    zone.warnings = warnings_of(chain.sections);
     zone.warnings.insert(zone.warnings.end(), chain.warnings.begin(), chain.warnings.end());
     for (const MapPolygon& part : zone.area) {
       for (const MapPoint& p : part.outer) made_of += fmt::format("\n{:.6f} {:.6f}", p.x, p.y);

@@ -66,6 +66,15 @@ void show(const StudyProgress& p) {
              p.running);
 }
 
+/// Where there is no terminal: a line a run.
+void show_line(const StudyProgress& p) {
+  static std::size_t shown = 0;
+  if (std::size_t(p.done) == shown) return;
+  shown = std::size_t(p.done);
+  fmt::print(stderr, "{} of {} runs done ({} found), {} running\n", p.done, p.runs, p.found,
+             p.running);
+}
+
 void leave(const Study& study, const fs::path& out) {
   write_whole(out / "study.csv", study_csv(study));
   write_whole(out / "study.svg", study_svg(study));
@@ -80,7 +89,7 @@ int run(const Options& options) {
   LocalExecutor executor(program_beside(), workers_of(options, asked));
   StudyListener listener;
   listener.interrupted = InterruptSignals::arrived;
-  if (terminal) listener.progress = show;
+  if (!options.json) listener.progress = terminal ? show : show_line;
   StudyRuns done = run_study(asked, options.out, executor, listener);
   if (terminal) fmt::print(stderr, "\n");
   if (done.interrupted) {

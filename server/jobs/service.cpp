@@ -163,6 +163,11 @@ db::JobRecord retry(Service& service, const std::string& id) {
     throw Problem(Failure::wrong_state, "job " + id + " is " + db::to_string(job.state) +
                                             ": only a finished job can be retried");
   }
+  const auto raster = service.store.raster(job.raster);
+  if (raster && !raster->removed.empty()) {
+    throw Problem(Failure::wrong_state, "the DEM of job " + id + " was removed on " +
+                                            raster->removed + ": register it again first");
+  }
   bool any = false;
   for (const auto& section : service.store.sections(id)) {
     any = any || section.state == db::SectionState::failed ||

@@ -97,10 +97,9 @@ std::optional<CrestAndToe> find_crest_and_toe(const Polyline& ground, double lea
 bool falls_right(const Polyline& ground, const CrestAndToe& bank) {
   const double x = bank.crest.x;
   if (x != bank.toe.x) return x < bank.toe.x;
-  const auto step = std::ranges::equal_range(ground, x, {}, &Point::x);
-  if (step.size() > 1 && step.front().z != step.back().z) {
-    return step.front().z > step.back().z;
-  }
+  const auto first = std::ranges::lower_bound(ground, x, {}, &Point::x);
+  const auto beyond = std::ranges::upper_bound(ground, x, {}, &Point::x);
+  if (beyond - first > 1 && first->z != (beyond - 1)->z) return first->z > (beyond - 1)->z;
   return ground.front().z > ground.back().z;
 }
 

@@ -4,9 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "solver/section/seen_by_particles.hpp"
-#include "solver/section/toe_cut.hpp"
 #include "solver/section/validate_section.hpp"
+#include "solver/section/validate_seen.hpp"
 
 namespace leda {
 namespace {
@@ -57,41 +56,6 @@ void check_cell_against_bank(const CrestAndToe& bank, double cell_m, FaultList& 
   faults.add("/resolution/cell_m",
              "is " + show(cell_m) + " m, must be at most half of the height " + "of the bank (" +
                  show(height) + " m); an eighth of it or less gives a number to go by");
-}
-
-std::string lost_to(const Resolution& resolution, const Seen& seen) {
-  const double rows_per_cell = resolution.cell_m / particle_spacing(resolution);
-  const double cell = std::floor(seen.thickness_m() * rows_per_cell * 1000 + 1e-6) / 1000;
-  return "holds no particle: it is " + show(std::round(seen.thickness_m() * 1000) / 1000) +
-         " m thick where it is, and particles stand " + show(particle_spacing(resolution)) +
-         " m apart; take a cell of at most " + show(cell) + " m";
-}
-
-/// What particles cannot see would be left out without a word.
-void check_seen(const Section& section, const RunSettings& settings,
-                const std::optional<CrestAndToe>& bank, FaultList& faults) {
-  const Resolution& resolution = settings.resolution;
-  const std::vector<Seen> layers = seen_layers(section, resolution);
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    if (!layers[i].lost() || is_part_of_neighbour(section, i)) continue;
-    faults.add("/layers/" + std::to_string(i), "(" + section.layers[i].material + ") " +
-                                                   lost_to(resolution, layers[i]) +
-                                                   ", or leave the layer out");
-  }
-  if (const auto* excavation = std::get_if<ExcavationTrigger>(&settings.trigger)) {
-    const Seen cut = seen_inside(section, resolution, excavation->polygon);
-    if (cut.seen_m2 == 0) faults.add("/trigger/polygon", lost_to(resolution, cut));
-    return;
-  }
-  const auto& height = std::get<UndrainedTrigger>(settings.trigger).then_toe_cut_m;
-  if (!height || !bank) return;
-  const Seen cut = seen_inside(section, resolution, toe_cut(section, *bank, *height));
-  if (cut.seen_m2 > 0) return;
-  faults.add("/trigger/then_toe_cut_m",
-             "is " + show(*height) + " m: " +
-                 (cut.exists() ? "the cut " + lost_to(resolution, cut)
-                               : "the face at the toe is as steep as that already, no ground "
-                                 "lies in front of it to be cut"));
 }
 
 void check_cell_against_band(const Section& section, double cell, FaultList& faults) {

@@ -89,6 +89,21 @@ TEST(Zonation, OneLowerBoundMakesTheZoneOne) {
   EXPECT_EQ(zone_of(zones, ZoneKind::runout).distance_is, Bound::lower_bound);
 }
 
+TEST(Zonation, AWarningOfManySectionsIsToldOnce) {
+  std::vector<PlacedResult> results;
+  for (int i = 0; i < 5; ++i) {
+    results.push_back(slid(50 * i, 60, 20));
+    results.back().warnings = {"the front reached the edge"};
+  }
+  results[1].warnings.emplace_back("alone");
+  const auto zones = make_zones(results);
+  EXPECT_EQ(
+      zones.at(0).warnings,
+      (std::vector<std::string>{"S0, S50 and 3 more: the front reached the edge", "S50: alone"}));
+  results.resize(2);
+  EXPECT_EQ(make_zones(results).at(0).warnings.at(0), "S0, S50: the front reached the edge");
+}
+
 TEST(Zonation, TheOrderAlongTheLineDecidesNotTheOrderGiven) {
   auto results = std::vector{slid(100, 60, 20), slid(0, 60, 20), slid(50, 80, 30)};
   const auto zones = make_zones(results);

@@ -64,7 +64,14 @@ const Mistake mistakes[] = {
      "", "below 1 kPa"},
     {"modulus_in_MPa", [](Material& m) { m.shear_modulus_Pa = 4050; }, "/m/S/peak_strength_kPa",
      "MPa given for kPa"},
-    {"modulus_in_Pa", [](Material& m) { m.shear_modulus_Pa = 4050e6; }, "", "Pa given for kPa"},
+    {"modulus_in_Pa", [](Material& m) { m.shear_modulus_Pa = 4050e6; }, "/m/S/peak_strength_kPa",
+     "Pa given for kPa"},
+    {"modulus_of_rock",
+     [](Material& m) {
+       m.softening.reset();
+       m.shear_modulus_Pa = 4050e6;
+     },
+     "", "Pa given for kPa"},
     {"tonnes", [](Material& m) { m.unit_weight = 1.7e3; }, "/m/S/unit_weight_kN_m3", ""},
     {"submerged", [](Material& m) { m.unit_weight = 9e3; }, "", "unit_weight_kN_m3 is 9"},
     {"strain_in_percent", [](Material& m) { urmi(m).residual_strain = 180; },

@@ -121,7 +121,10 @@ TEST_F(CommandLine, ADemBesideTheRequestIsFoundAndItsCrsStated) {
   ASSERT_EQ(output.exit_code, 0) << output.errors;
   const json plan = json::parse(output.text);
   EXPECT_EQ(plan["dryRun"], true);
-  EXPECT_TRUE(plan["sections"][0]["warnings"].is_array()) << plan.dump(1);
+  // 12 m in cells of 2 m.
+  EXPECT_NE(plan["sections"][0]["warnings"].dump().find("the bank is 6 cells high"),
+            std::string::npos)
+      << plan.dump(1);
   request["inputs"]["dem"] = "no-such.tif";
   const Output missing = run_leda({"map", region_file(request), "--data", data()});
   EXPECT_EQ(missing.exit_code, 2);

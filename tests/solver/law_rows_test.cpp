@@ -24,7 +24,7 @@ Seeded layered_bank(double bands_a_metre) {
     const double share = 1 + 0.01 * static_cast<double>(i);
     LawTable& t = s.laws;
     for (auto* column : {&t.bulk, &t.shear, &t.peak, &t.floor, &t.amplitude, &t.line_start,
-                         &t.line_slope, &t.last}) {
+                         &t.line_slope, &t.last, &t.tension}) {
       column->push_back(column->front() * share);
     }
     for (auto* column : {&t.rate, &t.exp_end, &t.line_end}) column->push_back(column->front());
@@ -49,7 +49,7 @@ void renumber(Seeded& s, const std::vector<std::int32_t>& number) {
   for (auto column :
        {&LawTable::bulk, &LawTable::shear, &LawTable::peak, &LawTable::floor, &LawTable::amplitude,
         &LawTable::rate, &LawTable::exp_end, &LawTable::line_start, &LawTable::line_slope,
-        &LawTable::line_end, &LawTable::last}) {
+        &LawTable::line_end, &LawTable::last, &LawTable::tension}) {
     move(column);
   }
   for (auto column : {&LawTable::softens, &LawTable::material}) move(column);

@@ -169,6 +169,9 @@ TEST_F(Parameterized, ARasterTellsWhatItHoldsIsRenamedAndRemoved) {
   expect_problem(client.Get("/rasters/hill"), 404, "removed");
   EXPECT_TRUE(ok("/rasters")["rasters"].empty());
   EXPECT_EQ(ok("/collections/sections/items")["numberMatched"], 1) << "of a finished job";
+  const auto retried = client.Post("/jobs/done/retry");
+  expect_problem(retried, 409, "its DEM is gone");
+  EXPECT_NE(retried->body.find("register it again first"), std::string::npos) << retried->body;
 }
 
 TEST_F(Parameterized, ABodyInAnEncodingThatIsNotSpokenIsRefused) {
