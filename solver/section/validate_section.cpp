@@ -195,21 +195,28 @@ void check_water_table(const Section& section, FaultList& faults) {
   }
 }
 
+namespace {
+
+bool lies_under_water(const Section& section, const std::string& material) {
+  return std::ranges::any_of(section.ground, [&](const Point& at) {
+    for (std::size_t i = 0; i < section.layers.size(); ++i) {
+      if (section.layers[i].material != material) continue;
+      const bool last = i + 1 == section.layers.size();
+      const double bottom = last ? section.base_m : layer_bottom(section, i, at.x);
+      if (layer_at(section, {at.x, bottom}) == i && pore_pressure(section, {at.x, bottom}) > 0) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
+}  // namespace
+
 void check_weight_under_water(const Section& section, FaultList& faults) {
   for (const auto& [name, material] : section.materials) {
     if (material.unit_weight > water_unit_weight) continue;
-    const bool wet = std::ranges::any_of(section.ground, [&](const Point& at) {
-      for (std::size_t i = 0; i < section.layers.size(); ++i) {
-        if (section.layers[i].material != name) continue;
-        const bool last = i + 1 == section.layers.size();
-        const double bottom = last ? section.base_m : layer_bottom(section, i, at.x);
-        if (layer_at(section, {at.x, bottom}) == i && pore_pressure(section, {at.x, bottom}) > 0) {
-          return true;
-        }
-      }
-      return false;
-    });
-    if (!wet) continue;
+    if (!lies_under_water(section, name)) continue;
     faults.add("/materials/" + pointer_part(name) + "/unit_weight_kN_m3",
                "is " + show(material.unit_weight / 1000) +
                    " kN/m3, must be more than that of water (9.81) below the water table: the "
