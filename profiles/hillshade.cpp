@@ -1,14 +1,20 @@
 #include "profiles/hillshade.hpp"
 
-#include <gdal_alg.h>
+#include <gdal_priv.h>
+#include <gdal_utils.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <string>
+#include <vector>
 
-#include "profiles/areas.hpp"
 #include "profiles/gdal_error.hpp"
+#include "profiles/gdal_handle.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -20,13 +26,6 @@ struct Ground {
   Picture picture;
   double pixel_x_m = 0, pixel_y_m = 0;
   std::vector<float> elevations;
-
-  float at(int column, int row) const {
-    column = std::clamp(column, 0, picture.width - 1);
-    row = std::clamp(row, 0, picture.height - 1);
-    return elevations[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
-                      static_cast<std::size_t>(column)];
-  }
 };
 
 struct GridWindow {
@@ -90,146 +89,93 @@ Ground read_ground(const Dem& dem, const HillshadeOptions& options) {
   return ground;
 }
 
-// Horn 1981: the gradient from the eight neighbours; then the cosine of the angle to the light.
-double brightness(const Ground& g, int c, int r, const HillshadeOptions& options) {
-  const auto z = [&](int dc, int dr) {
-    const double value = g.at(c + dc, r + dr);
-    return std::isnan(value) ? g.at(c, r) : value;
-  };
-  const double k = options.vertical_exaggeration / 8;
-  const double east =
-      k / g.pixel_x_m * (z(1, -1) + 2 * z(1, 0) + z(1, 1) - z(-1, -1) - 2 * z(-1, 0) - z(-1, 1));
-  const double north =
-      k / g.pixel_y_m * (z(-1, -1) + 2 * z(0, -1) + z(1, -1) - z(-1, 1) - 2 * z(0, 1) - z(1, 1));
-  constexpr double degree = 3.14159265358979323846 / 180;
-  const double flat = std::cos(options.altitude_deg * degree);
-  const double up = std::sin(options.altitude_deg * degree);
-  const double light_east = flat * std::sin(options.azimuth_deg * degree);
-  const double light_north = flat * std::cos(options.azimuth_deg * degree);
-  const double cosine =
-      (up - east * light_east - north * light_north) / std::sqrt(1 + east * east + north * north);
-  return std::max(0.0, cosine);
-}
-
-using Band = std::vector<std::uint8_t>;
-
-struct Image {
-  Picture picture;
-  std::vector<Band> bands;  // grey and alpha, or red, green, blue and alpha
-};
-
-Image shade(const Ground& ground, const HillshadeOptions& options) {
-  Image image{ground.picture, std::vector<Band>(2, Band(ground.elevations.size()))};
-  std::size_t i = 0;
-  for (int r = 0; r < ground.picture.height; ++r) {
-    for (int c = 0; c < ground.picture.width; ++c, ++i) {
-      if (std::isnan(ground.elevations[i])) continue;
-      image.bands[0][i] =
-          static_cast<std::uint8_t>(std::lround(1 + 254 * brightness(ground, c, r, options)));
-      image.bands[1][i] = 255;
-    }
-  }
-  return image;
-}
-
-DatasetHandle in_memory(const Picture& picture, int bands) {
+DatasetHandle to_dataset(const Ground& ground) {
+  const int width = ground.picture.width, height = ground.picture.height;
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
-  DatasetHandle dataset(
-      driver->Create("", picture.width, picture.height, bands, GDT_Byte, nullptr));
+  DatasetHandle dataset(driver->Create("", width, height, 1, GDT_Float32, nullptr));
   if (!dataset) throw DemError("not enough memory for the picture" + gdal_message());
-  const MapBox& b = picture.box;
-  double transform[] = {b[0], (b[2] - b[0]) / picture.width, 0, b[3],
-                        0,    (b[1] - b[3]) / picture.height};
+  double transform[] = {0, ground.pixel_x_m, 0, 0, 0, -ground.pixel_y_m};
   dataset->SetGeoTransform(transform);
+  GDALRasterBand* band = dataset->GetRasterBand(1);
+  band->SetNoDataValue(std::nan(""));
+  std::vector<float> cells = ground.elevations;
+  const CPLErr result = band->RasterIO(GF_Write, 0, 0, width, height, cells.data(), width, height,
+                                       GDT_Float32, 0, 0, nullptr);
+  if (result != CE_None) throw DemError("the picture can't be drawn" + gdal_message());
   return dataset;
 }
 
-void write_png(const Image& image, const fs::path& png) {
-  const int count = static_cast<int>(image.bands.size());
-  const int width = image.picture.width, height = image.picture.height;
-  const DatasetHandle memory = in_memory(image.picture, count);
-  const QuietGdal quiet;
-  for (int b = 0; b < count; ++b) {
-    Band band = image.bands[static_cast<std::size_t>(b)];
-    const CPLErr result = memory->GetRasterBand(b + 1)->RasterIO(
-        GF_Write, 0, 0, width, height, band.data(), width, height, GDT_Byte, 0, 0, nullptr);
+// Grey from 1 to 255, 0 where there is no data.
+std::vector<std::uint8_t> shade(const Ground& ground, const HillshadeOptions& options) {
+  const DatasetHandle elevations = to_dataset(ground);
+  const std::string azimuth = std::to_string(options.azimuth_deg),
+                    altitude = std::to_string(options.altitude_deg),
+                    exaggeration = std::to_string(options.vertical_exaggeration);
+  std::vector<const char*> words{"-of",
+                                 "MEM",
+                                 "-compute_edges",
+                                 "-az",
+                                 azimuth.c_str(),
+                                 "-alt",
+                                 altitude.c_str(),
+                                 "-z",
+                                 exaggeration.c_str(),
+                                 nullptr};
+  const std::unique_ptr<GDALDEMProcessingOptions, decltype(&GDALDEMProcessingOptionsFree)> how(
+      GDALDEMProcessingOptionsNew(const_cast<char**>(words.data()), nullptr),
+      GDALDEMProcessingOptionsFree);
+  const DatasetHandle shaded(GDALDataset::FromHandle(GDALDEMProcessing(
+      "", GDALDataset::ToHandle(elevations.get()), "hillshade", nullptr, how.get(), nullptr)));
+  const int width = ground.picture.width, height = ground.picture.height;
+  std::vector<std::uint8_t> grey(ground.elevations.size());
+  const bool drawn =
+      shaded && shaded->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, width, height, grey.data(), width,
+                                                   height, GDT_Byte, 0, 0, nullptr) == CE_None;
+  if (!drawn) throw DemError("the picture can't be drawn" + gdal_message());
+  return grey;
+}
+
+// The same name for no two writers, in whatever process.
+fs::path temporary_beside(const fs::path& png) {
+  static std::atomic<unsigned> count{0};
+  return png.string() + "." + std::to_string(getpid()) + "-" + std::to_string(++count) + ".tmp";
+}
+
+void write_png(const Picture& picture, std::vector<std::uint8_t> grey, const fs::path& png) {
+  std::vector<std::uint8_t> alpha(grey.size());
+  std::ranges::transform(grey, alpha.begin(), [](std::uint8_t g) { return g == 0 ? 0 : 255; });
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
+  const DatasetHandle memory(
+      driver->Create("", picture.width, picture.height, 2, GDT_Byte, nullptr));
+  if (!memory) throw DemError("not enough memory for the picture" + gdal_message());
+  const MapBox& b = picture.box;
+  double transform[] = {b[0], (b[2] - b[0]) / picture.width, 0, b[3],
+                        0,    (b[1] - b[3]) / picture.height};
+  memory->SetGeoTransform(transform);
+  int number = 0;
+  for (auto* band : {&grey, &alpha}) {
+    const CPLErr result = memory->GetRasterBand(++number)->RasterIO(
+        GF_Write, 0, 0, picture.width, picture.height, band->data(), picture.width, picture.height,
+        GDT_Byte, 0, 0, nullptr);
     if (result != CE_None) throw DemError("the picture can't be drawn" + gdal_message());
   }
-  memory->GetRasterBand(count)->SetColorInterpretation(GCI_AlphaBand);
-  const fs::path temporary = png.string() + ".tmp";
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("PNG");
-  const DatasetHandle written(driver->CreateCopy(temporary.c_str(), memory.get(), FALSE, nullptr,
-                                                 GDALDummyProgress, nullptr));
+  memory->GetRasterBand(2)->SetColorInterpretation(GCI_AlphaBand);
+  const fs::path temporary = temporary_beside(png);
+  GDALDriver* to_png = GetGDALDriverManager()->GetDriverByName("PNG");
+  DatasetHandle written(to_png->CreateCopy(temporary.c_str(), memory.get(), FALSE, nullptr,
+                                           GDALDummyProgress, nullptr));
   if (!written) throw DemError("can't write " + png.string() + gdal_message());
+  written.reset();
   fs::rename(temporary, png);
-}
-
-// 255 where a geometry covers a pixel.
-Band mask_of(const Picture& picture, const std::vector<GeometryHandle>& geometries) {
-  const DatasetHandle memory = in_memory(picture, 1);
-  std::vector<OGRGeometryH> handles;
-  handles.reserve(geometries.size());
-  for (const GeometryHandle& g : geometries) handles.push_back(OGRGeometry::ToHandle(g.get()));
-  const std::vector<double> burn(handles.size(), 255);
-  int band = 1;
-  const QuietGdal quiet;
-  CPLErr result = CE_None;
-  if (!handles.empty()) {
-    result = GDALRasterizeGeometries(GDALDataset::ToHandle(memory.get()), 1, &band,
-                                     static_cast<int>(handles.size()), handles.data(), nullptr,
-                                     nullptr, burn.data(), nullptr, nullptr, nullptr);
-  }
-  Band mask(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
-  if (result == CE_None) {
-    result = memory->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, picture.width, picture.height,
-                                                mask.data(), picture.width, picture.height,
-                                                GDT_Byte, 0, 0, nullptr);
-  }
-  if (result != CE_None) throw DemError("the zones can't be drawn" + gdal_message());
-  return mask;
-}
-
-void paint(Image& image, const Band& mask, const std::array<int, 3>& colour, double cover) {
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    if (mask[i] == 0) continue;
-    for (std::size_t b = 0; b < 3; ++b) {
-      image.bands[b][i] = static_cast<std::uint8_t>(
-          std::lround((1 - cover) * image.bands[b][i] + cover * colour[b]));
-    }
-    image.bands[3][i] = 255;
-  }
-}
-
-std::vector<GeometryHandle> areas_of(const std::vector<Zone>& zones, ZoneKind kind) {
-  std::vector<GeometryHandle> areas;
-  for (const Zone& zone : zones) {
-    if (zone.kind == kind) areas.push_back(to_ogr(zone.area));
-  }
-  return areas;
 }
 
 }  // namespace
 
 Picture write_hillshade(const Dem& dem, const fs::path& png, const HillshadeOptions& options) {
-  const Image image = shade(read_ground(dem, options), options);
-  write_png(image, png);
-  return image.picture;
-}
-
-Picture write_zone_picture(const Dem& dem, const std::vector<Zone>& zones,
-                           const std::vector<MapLine>& lines, const fs::path& png,
-                           const HillshadeOptions& options) {
-  Image image = shade(read_ground(dem, options), options);
-  const Band grey = image.bands[0], alpha = image.bands[1];
-  image.bands = {grey, grey, grey, alpha};
-  paint(image, mask_of(image.picture, areas_of(zones, ZoneKind::runout)), {253, 174, 97}, 0.6);
-  paint(image, mask_of(image.picture, areas_of(zones, ZoneKind::release)), {215, 48, 39}, 0.5);
-  std::vector<GeometryHandle> drawn;
-  drawn.reserve(lines.size());
-  for (const MapLine& line : lines) drawn.push_back(to_ogr(line));
-  paint(image, mask_of(image.picture, drawn), {30, 80, 200}, 0.9);
-  write_png(image, png);
-  return image.picture;
+  const QuietGdal quiet;
+  const Ground ground = read_ground(dem, options);
+  write_png(ground.picture, shade(ground, options), png);
+  return ground.picture;
 }
 
 }  // namespace leda::profiles

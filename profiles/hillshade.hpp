@@ -1,12 +1,10 @@
 #pragma once
-// A shaded picture of the ground, and of zones over it.
+// A shaded picture of the ground.
 
 #include <filesystem>
 #include <optional>
-#include <vector>
 
 #include "profiles/dem.hpp"
-#include "profiles/map/zone.hpp"
 
 namespace leda::profiles {
 
@@ -24,15 +22,10 @@ struct Picture {
   MapBox box{};  ///< exact for a DEM that is not rotated
 };
 
-/// Writes a grey PNG with transparency where there is no data (slope and aspect after Horn 1981),
-/// under a temporary name, then renamed.
+/// Writes a grey PNG with transparency where there is no data (GDAL's hillshade, after Horn 1981),
+/// under a temporary name of its own, then renamed: several may write the same file at once.
 /// @throws DemError where the window misses the DEM or the file can't be written
 Picture write_hillshade(const Dem& dem, const std::filesystem::path& png,
                         const HillshadeOptions& options = {});
-
-/// The same with release zones in red, runout zones in orange and lines in blue over it.
-Picture write_zone_picture(const Dem& dem, const std::vector<Zone>& zones,
-                           const std::vector<MapLine>& lines, const std::filesystem::path& png,
-                           const HillshadeOptions& options = {});
 
 }  // namespace leda::profiles
