@@ -117,24 +117,66 @@ std::vector<JobRecord> Store::unfinished_jobs() const {
   });
 }
 
+namespace {
+
+bool change_state(Database& database, const std::string& id, JobState state,
+                  const std::string& message) {
+  // A job taken up again starts and finishes anew; its first start is remembered in the runs.
+  const int changed =
+      Query(database,
+            "UPDATE jobs SET state = ?2, message = ?3, updated = ?4, "
+            "progress = CASE ?2 WHEN 'successful' THEN 100 WHEN 'accepted' THEN 0 "
+            "  ELSE progress END, "
+            "started = CASE ?2 WHEN 'accepted' THEN NULL WHEN 'running' THEN "
+            "  coalesce(started, ?4) ELSE started END, "
+            "finished = CASE WHEN ?2 IN ('successful', 'failed', 'dismissed') THEN ?4 END "
+            "WHERE id = ?1 AND (state <> 'dismissed' OR ?2 IN ('accepted', 'dismissed'))")
+          .with(id, to_string(state), message, utc_now())
+          .run();
+  if (changed > 0) return true;
+  Query row(database, "SELECT 1 FROM jobs WHERE id = ?");
+  if (!row.with(id).next()) throw StoreError("no job \"" + id + "\" in the store");
+  return false;
+}
+
+}  // namespace
+
 bool Store::set_job_state(const std::string& id, JobState state, const std::string& message) {
+  return connection_->write(
+      [&](Database& database) { return change_state(database, id, state, message); });
+}
+
+void Store::dismiss_job(const std::string& id) {
+  connection_->write([&](Database& database) {
+    change_state(database, id, JobState::dismissed, "dismissed");
+    const std::string reason = "the job was dismissed";
+    Query(database,
+          "UPDATE runs SET finished = ?2, outcome = 'dismissed', reason = ?3 "
+          "WHERE outcome IS NULL AND section_id IN (SELECT id FROM sections "
+          "  WHERE job_id = ?1 AND state IN ('waiting', 'running'))")
+        .with(id, utc_now(), reason)
+        .run();
+    Query(database,
+          "UPDATE sections SET state = 'dismissed', reason = ?2 "
+          "WHERE job_id = ?1 AND state IN ('waiting', 'running')")
+        .with(id, reason)
+        .run();
+  });
+}
+
+int Store::retry_job(const std::string& id) {
   return connection_->write([&](Database& database) {
-    // A job taken up again starts and finishes anew; its first start is remembered in the runs.
-    const int changed =
-        Query(database,
-              "UPDATE jobs SET state = ?2, message = ?3, updated = ?4, "
-              "progress = CASE ?2 WHEN 'successful' THEN 100 WHEN 'accepted' THEN 0 "
-              "  ELSE progress END, "
-              "started = CASE ?2 WHEN 'accepted' THEN NULL WHEN 'running' THEN "
-              "  coalesce(started, ?4) ELSE started END, "
-              "finished = CASE WHEN ?2 IN ('successful', 'failed', 'dismissed') THEN ?4 END "
-              "WHERE id = ?1 AND (state <> 'dismissed' OR ?2 IN ('accepted', 'dismissed'))")
-            .with(id, to_string(state), message, utc_now())
-            .run();
-    if (changed > 0) return true;
-    Query row(database, "SELECT 1 FROM jobs WHERE id = ?");
-    if (!row.with(id).next()) throw StoreError("no job \"" + id + "\" in the store");
-    return false;
+    // The try of a failed section is booked already.
+    Query(
+        database,
+        "UPDATE sections SET state = 'waiting', reason = '' WHERE job_id = ? AND state = 'failed'")
+        .with(id)
+        .run();
+    Query row(database, "SELECT count(*) FROM sections WHERE job_id = ? AND state = 'waiting'");
+    row.with(id).next();
+    const int waiting = row.small_integer();
+    if (waiting > 0) change_state(database, id, JobState::accepted, "retried");
+    return waiting;
   });
 }
 

@@ -83,6 +83,11 @@ class Store {
   std::vector<JobRecord> unfinished_jobs() const;  ///< accepted or running, oldest first
   /// A dismissed job stays dismissed until it is accepted again; false where that kept it.
   bool set_job_state(const std::string& id, JobState state, const std::string& message);
+  /// The job is dismissed, and with it all of its sections that wait or run, with their tries.
+  void dismiss_job(const std::string& id);
+  /// The failed sections of a job wait again and the job is accepted; how many sections wait now.
+  /// Nothing changes where that is none.
+  int retry_job(const std::string& id);
   /// Only while the job is accepted or running; later it is ignored.
   void set_job_progress(const std::string& id, int progress, const std::string& message);
   /// Jobs in one of the final states that ended before a time, oldest first.

@@ -89,7 +89,7 @@ void Dispatcher::dismiss(const std::string& job) {
     std::erase(to_take_up_, job);
   }
   const std::lock_guard lock(mutex_);
-  store_.set_job_state(job, JobState::dismissed, "dismissed");
+  store_.dismiss_job(job);
   const auto found = jobs_.find(job);
   if (found != jobs_.end()) {
     for (const auto& [run, of] : runs_) {
@@ -98,11 +98,6 @@ void Dispatcher::dismiss(const std::string& job) {
     std::erase_if(runs_, [&](const auto& entry) { return entry.second.job == job; });
     jobs_.erase(found);
     running_ = runs_.size();
-  }
-  for (const auto& section : store_.sections(job)) {
-    if (section.state == SectionState::waiting || section.state == SectionState::running) {
-      store_.set_section_state(section.id, SectionState::dismissed, "the job was dismissed");
-    }
   }
   log_info(job, "dismissed");
 }

@@ -168,16 +168,9 @@ db::JobRecord retry(Service& service, const std::string& id) {
     throw Problem(Failure::wrong_state, "the DEM of job " + id + " was removed on " +
                                             raster->removed + ": register it again first");
   }
-  bool any = false;
-  for (const auto& section : service.store.sections(id)) {
-    any = any || section.state == db::SectionState::failed ||
-          section.state == db::SectionState::waiting;
-    if (section.state == db::SectionState::failed) {
-      service.store.set_section_state(section.id, db::SectionState::waiting, "");
-    }
+  if (service.store.retry_job(id) == 0) {
+    throw Problem(Failure::wrong_state, "no section of job " + id + " failed");
   }
-  if (!any) throw Problem(Failure::wrong_state, "no section of job " + id + " failed");
-  service.store.set_job_state(id, db::JobState::accepted, "retried");
   service.dispatcher.add(id);
   log_info(id, "retried");
   return job_or_problem(service.store, id);

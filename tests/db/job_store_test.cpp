@@ -138,6 +138,55 @@ TEST_F(JobStore, ADismissedJobStaysSoUntilItIsAcceptedAgain) {
   EXPECT_EQ(store.job("job-1")->finished, "");
 }
 
+// Sections that wait, run, failed and are finished.
+void with_sections(Store& store) {
+  store.add_job(job());
+  std::vector<SectionRecord> sections;
+  for (const char* name : {"waits", "runs", "failed", "finished"}) {
+    sections.push_back(samples::section(name, static_cast<int>(sections.size())));
+  }
+  store.set_sections("job-1", sections);
+  const auto id = [&](const char* name) { return store.section("job-1", name)->id; };
+  store.start_run(id("runs"), "run-1");
+  store.start_run(id("failed"), "run-2");
+  store.set_section_state(id("failed"), SectionState::failed, "exit code 2");
+  store.start_run(id("finished"), "run-3");
+  store.take_in(id("finished"), "run-3", samples::result(), samples::placed(sections.back()), "{}");
+}
+
+TEST_F(JobStore, DismissingTakesAllThatIsNotDone) {
+  with_sections(store);
+  store.dismiss_job("job-1");
+  EXPECT_EQ(store.job("job-1")->state, JobState::dismissed);
+  const auto state = [&](const char* name) { return store.section("job-1", name)->state; };
+  EXPECT_EQ(state("waits"), SectionState::dismissed);
+  EXPECT_EQ(state("runs"), SectionState::dismissed);
+  EXPECT_EQ(state("failed"), SectionState::failed);
+  EXPECT_EQ(state("finished"), SectionState::finished);
+  const auto tries = store.runs(store.section("job-1", "runs")->id);
+  ASSERT_EQ(tries.size(), 1U);
+  EXPECT_EQ(tries[0].outcome, "dismissed");
+  EXPECT_NE(tries[0].finished, "");
+  EXPECT_THROW(store.dismiss_job("nobody"), StoreError);
+}
+
+TEST_F(JobStore, ARetryTakesWhatFailed) {
+  with_sections(store);
+  store.set_job_state("job-1", JobState::failed, "some failed");
+  EXPECT_EQ(store.retry_job("job-1"), 2);
+  EXPECT_EQ(store.job("job-1")->state, JobState::accepted);
+  EXPECT_EQ(store.section("job-1", "failed")->state, SectionState::waiting);
+  EXPECT_EQ(store.section("job-1", "finished")->state, SectionState::finished);
+  EXPECT_EQ(store.runs(store.section("job-1", "failed")->id)[0].outcome, "failed");
+}
+
+TEST_F(JobStore, ARetryOfWhatDidNotFailChangesNothing) {
+  store.add_job(job());
+  store.set_job_state("job-1", JobState::successful, "done");
+  EXPECT_EQ(store.retry_job("job-1"), 0);
+  EXPECT_EQ(store.job("job-1")->state, JobState::successful);
+}
+
 TEST_F(JobStore, AJobThatDoesNotStandIsAnError) {
   EXPECT_THROW(store.set_job_state("nobody", JobState::running, ""), StoreError);
 }
