@@ -65,6 +65,8 @@ struct Grid {
   BandGrid<Real> band;      ///< plastic strain averaged over a band
 
   bool averages() const { return !span.empty(); }
+  /// Whether points take more from the nodes than their motion.
+  bool shows_more() const { return shows_mass || band.exists(); }
 
   Real* sums_at(std::size_t column, std::size_t row) {
     return &sums[column * values * planes * stride + lead + row];

@@ -93,7 +93,8 @@ struct FromNodes {
   T softening;           ///< plastic strain of the last step, averaged over a band; else zero
 
   static constexpr std::size_t count = 12;
-  static constexpr std::size_t motion = 10;  ///< of them, which every step takes
+  /// Of them, the first: the motion, and where the grid shows more than that all.
+  static constexpr std::size_t taken(bool more) { return more ? count : 10; }
   std::array<T*, count> all() {
     return {&vx, &vz, &mxx, &mxz, &mzx, &mzz, &lxx, &lxz, &lzx, &lzz, &seen, &softening};
   }
@@ -143,12 +144,14 @@ HWY_INLINE hn::Vec<D> value_at(D d, const Number<D>* q, std::size_t stride, cons
   return value;
 }
 
-/// All that points take from the nodes that they see from this column and row on.
-template <class D>
+/// All that points take from the nodes that they see from this column and row on; `More`: what
+/// grid.shows_more() says.
+template <bool More, class D>
 HWY_INLINE FromNodes<hn::Vec<D>> from_nodes(D d, Grid<Number<D>>& grid, std::size_t column,
                                             std::size_t row, hn::Vec<D> x, hn::Vec<D> z) {
   const auto ax = spline(d, x), az = spline(d, z);
   auto taken = motion_at(d, grid.velocity_at(column, row), grid.stride, ax, az);
+  if constexpr (!More) return taken;
   if (grid.shows_mass) {
     taken.seen = value_at(d, grid.mass_at(column, row), grid.stride, ax, az);
   }

@@ -46,30 +46,26 @@ struct Between {
 };
 
 // First pass: what a vector of points takes from the nodes. False where one has left the grid.
-template <class D>
+template <bool More, class D>
 HWY_INLINE bool gather(D d, const Pack<Number<D>>& p, const PackPlace& place, std::size_t l,
                        Grid<Number<D>>& grid, FromNodes<Number<D>[Pack<Number<D>>::lanes]>& to) {
   const auto x = hn::Load(d, p.x + l), z = hn::Load(d, p.z + l), mass = hn::Load(d, p.mass + l);
   const std::size_t row = place.row + l % Pack<Number<D>>::rows;
-  auto taken = from_nodes(d, grid, place.column, row, x, z);
+  auto taken = from_nodes<More>(d, grid, place.column, row, x, z);
   const auto stray = strays(d, x, z, mass);
   bool inside = true;
   if (HWY_UNLIKELY(!hn::AllFalse(d, stray))) {
-    inside = gather_strays(d, grid, place, l, stray, x, z, taken);
+    inside = gather_strays<More>(d, grid, place, l, stray, x, z, taken);
   }
   const auto from = taken.all();
   const auto lanes = to.all();
-  constexpr std::size_t motion = FromNodes<hn::Vec<D>>::motion, all = from.size();
-  const bool more = grid.shows_mass || grid.band.exists();
+  constexpr std::size_t taking = FromNodes<hn::Vec<D>>::taken(More);
   // A lane without a point takes nothing: velocities of nearly massless nodes must not reach it.
   const auto point = hn::Gt(mass, hn::Zero(d));
   if (!hn::AllTrue(d, point)) {
-    for (auto* value : from) *value = hn::IfThenElseZero(point, *value);
+    for (std::size_t v = 0; v < taking; ++v) *from[v] = hn::IfThenElseZero(point, *from[v]);
   }
-  for (std::size_t v = 0; v < motion; ++v) hn::Store(*from[v], d, *lanes[v] + l);
-  if (more) {
-    for (std::size_t v = motion; v < all; ++v) hn::Store(*from[v], d, *lanes[v] + l);
-  }
+  for (std::size_t v = 0; v < taking; ++v) hn::Store(*from[v], d, *lanes[v] + l);
   return inside;
 }
 
@@ -234,7 +230,7 @@ HWY_NOINLINE void update_block(D d, P parts, Packs<Number<D>>& packs, std::size_
   of_lanes.add_to(sums);
 }
 
-template <class D>
+template <bool More, class D>
 HWY_NOINLINE bool gather_block(D d, const Packs<Number<D>>& packs, std::size_t first,
                                std::size_t count, Grid<Number<D>>& grid,
                                Between<Number<D>>& between) {
@@ -242,8 +238,9 @@ HWY_NOINLINE bool gather_block(D d, const Packs<Number<D>>& packs, std::size_t f
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t l = 0; l < Pack<Number<D>>::lanes; l += hn::Lanes(d)) {
       if (!any_of(d, packs.taken[first + i], l)) continue;
-      inside = gather(d, packs.pack[first + i], packs.place[first + i], l, grid, between.of[i]) &&
-               inside;
+      inside =
+          gather<More>(d, packs.pack[first + i], packs.place[first + i], l, grid, between.of[i]) &&
+          inside;
     }
   }
   return inside;
@@ -292,7 +289,9 @@ HWY_INLINE PointSums step_packs(D d, Packs<Number<D>>& packs, Grid<Number<D>>& g
   with_parts(laws, [&](auto parts) {
     for (std::size_t first = begin; first < end; first += block) {
       const std::size_t count = std::min(block, end - first);
-      inside = gather_block(d, packs, first, count, grid, between) && inside;
+      inside = (grid.shows_more() ? gather_block<true>(d, packs, first, count, grid, between)
+                                  : gather_block<false>(d, packs, first, count, grid, between)) &&
+               inside;
       update_block(d, parts, packs, first, count, grid, laws, scale, between, sums);
       if (grid.averages()) {
         keep_block(d, packs, first, count, between, sums.strayed);

@@ -75,7 +75,7 @@ HWY_INLINE bool for_strays(D d, const Grid<Number<D>>& grid, const PackPlace& pl
 }
 
 /// What strays take from the nodes, put into their lanes.
-template <class D>
+template <bool More, class D>
 HWY_NOINLINE bool gather_strays(D d, Grid<Number<D>>& grid, const PackPlace& place,
                                 std::size_t first, hn::Mask<D> stray, hn::Vec<D> x, hn::Vec<D> z,
                                 FromNodes<hn::Vec<D>>& taken) {
@@ -87,7 +87,7 @@ HWY_NOINLINE bool gather_strays(D d, Grid<Number<D>>& grid, const PackPlace& pla
   for (std::size_t v = 0; v < count; ++v) hn::Store(*all[v], d, lanes[v]);
   const bool inside =
       for_strays(d, grid, place, first, stray, x, z, [&](const Stray<Real>& s, std::size_t l) {
-        auto own = from_nodes(d1, grid, s.column, s.row, hn::Set(d1, s.x), hn::Set(d1, s.z));
+        auto own = from_nodes<More>(d1, grid, s.column, s.row, hn::Set(d1, s.x), hn::Set(d1, s.z));
         const auto one = own.all();
         for (std::size_t v = 0; v < count; ++v) lanes[v][l] = hn::GetLane(*one[v]);
       });
