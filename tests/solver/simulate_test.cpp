@@ -54,6 +54,27 @@ TEST(Simulate, AWeakBankSlidesAndComesToRest) {
   EXPECT_NEAR(r.front.x, r.toe.x + r.runout_m, 1e-9);
 }
 
+// The rate law would hold up any bank from the start (three times the strength at 1 per second),
+// yet one that fails at the laboratory's strength begins to slide, and only then feels it.
+TEST(Simulate, RateComesInWithTheSlideAndNotBefore) {
+  const auto with_rate = [](Section section) {
+    section.materials["clay"].rate = SemiLogarithmicRate{0.2, 1e-10};
+    return section;
+  };
+  RunSettings settings = coarse();
+  settings.trigger = UndrainedTrigger{4.0};
+  const SectionResult slides = simulate(with_rate(one_slide()), settings);
+  ASSERT_TRUE(slides.rate_from_s.has_value());
+  EXPECT_GT(*slides.rate_from_s, 0);
+  EXPECT_LT(*slides.rate_from_s, slides.simulated_s);
+  const SectionResult without = simulate(one_slide(), settings);
+  EXPECT_FALSE(without.rate_from_s.has_value());
+  EXPECT_LT(slides.crest_to_crest_retrogression_m, without.crest_to_crest_retrogression_m);
+  const SectionResult stands = simulate(with_rate(bank(8, 20, 80e3)), coarse());
+  EXPECT_EQ(stands.status, RunStatus::stable);
+  EXPECT_FALSE(stands.rate_from_s.has_value());
+}
+
 TEST(Simulate, TheReferenceBalancesToRoundOff) {
   RunSettings settings = coarse();
   settings.trigger = UndrainedTrigger{4.0};
