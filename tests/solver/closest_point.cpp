@@ -46,7 +46,7 @@ std::array<double, 3> closest_point(const std::array<double, 3>& trial, const Yi
   // Of sets that differ by rounding alone the one that violates least.
   std::array<double, 3> closest = trial;
   double least = beyond_by(from);
-  for (unsigned set = 0; set < 1U << all.size(); ++set) {
+  for (unsigned set = 1; set < 1U << all.size(); ++set) {
     std::vector<std::size_t> active;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if ((set >> i & 1U) != 0) active.push_back(i);
@@ -62,11 +62,10 @@ std::array<double, 3> closest_point(const std::array<double, 3>& trial, const Yi
     }
     const Matrix system = normals.transpose() * stiffness * normals;
     const Eigen::FullPivLU<Matrix> solver(system);
-    if (n > 0 && !solver.isInvertible()) continue;
-    const Vector multiplier = n > 0 ? Vector(solver.solve(beyond)) : Vector();
-    if (n > 0 && multiplier.minCoeff() < 0) continue;
-    Eigen::Vector3d at = from;
-    if (n > 0) at -= stiffness * (normals * multiplier);
+    if (!solver.isInvertible()) continue;
+    const Vector multiplier = solver.solve(beyond);
+    if (multiplier.minCoeff() < 0) continue;
+    const Eigen::Vector3d at = from - stiffness * (normals * multiplier);
     if (beyond_by(at) >= least) continue;
     least = beyond_by(at);
     closest = {at(0), at(1), at(2)};
