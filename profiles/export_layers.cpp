@@ -4,38 +4,18 @@
 #include <cpl_error.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <vector>
 
 #include "profiles/dem.hpp"
 #include "profiles/gdal_error.hpp"
 #include "profiles/layer_writer.hpp"
+#include "profiles/work_folder.hpp"
 
 namespace leda::profiles {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A folder of its own beside the file, on the same file system, gone when done.
-class WorkFolder {
- public:
-  explicit WorkFolder(const fs::path& file) {
-    std::string pattern = fs::absolute(file).string() + ".tmp-XXXXXX";
-    if (!mkdtemp(pattern.data())) throw ExportError("can't write beside " + file.string());
-    path_ = pattern;
-  }
-  ~WorkFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  WorkFolder(const WorkFolder&) = delete;
-  WorkFolder& operator=(const WorkFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 void add_to_zip(void* zip, const fs::path& file, const fs::path& zip_file) {
   std::ifstream in(file, std::ios::binary);
@@ -127,6 +107,7 @@ void export_layers(const RegionLayers& layers, ExportFormat format, const fs::pa
   initialize_gdal();
   const QuietGdal quiet;
   const WorkFolder work(file);
+  if (!work.exists()) throw ExportError("can't write beside " + file.string());
   try {
     fs::rename(write(layers, format, work.path()), file);
   } catch (const fs::filesystem_error& error) {

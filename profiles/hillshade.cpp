@@ -2,10 +2,8 @@
 
 #include <gdal_priv.h>
 #include <gdal_utils.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -15,6 +13,7 @@
 
 #include "profiles/gdal_error.hpp"
 #include "profiles/gdal_handle.hpp"
+#include "profiles/work_folder.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -135,12 +134,6 @@ std::vector<std::uint8_t> shade(const Ground& ground, const HillshadeOptions& op
   return grey;
 }
 
-// The same name for no two writers, in whatever process.
-fs::path temporary_beside(const fs::path& png) {
-  static std::atomic<unsigned> count{0};
-  return png.string() + "." + std::to_string(getpid()) + "-" + std::to_string(++count) + ".tmp";
-}
-
 void write_png(const Picture& picture, std::vector<std::uint8_t> grey, const fs::path& png) {
   std::vector<std::uint8_t> alpha(grey.size());
   std::ranges::transform(grey, alpha.begin(), [](std::uint8_t g) { return g == 0 ? 0 : 255; });
@@ -160,7 +153,9 @@ void write_png(const Picture& picture, std::vector<std::uint8_t> grey, const fs:
     if (result != CE_None) throw DemError("the picture can't be drawn" + gdal_message());
   }
   memory->GetRasterBand(2)->SetColorInterpretation(GCI_AlphaBand);
-  const fs::path temporary = temporary_beside(png);
+  const WorkFolder work(png);
+  if (!work.exists()) throw DemError("can't write beside " + png.string());
+  const fs::path temporary = work.path() / png.filename();
   GDALDriver* to_png = GetGDALDriverManager()->GetDriverByName("PNG");
   DatasetHandle written(to_png->CreateCopy(temporary.c_str(), memory.get(), FALSE, nullptr,
                                            GDALDummyProgress, nullptr));

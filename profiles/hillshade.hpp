@@ -23,7 +23,7 @@ struct Picture {
 };
 
 /// Writes a grey PNG with transparency where there is no data (GDAL's hillshade, after Horn 1981),
-/// under a temporary name of its own, then renamed: several may write the same file at once.
+/// in a folder of its own beside it, then moved: several may write the same file at once.
 /// @throws DemError where the window misses the DEM or the file can't be written
 Picture write_hillshade(const Dem& dem, const std::filesystem::path& png,
                         const HillshadeOptions& options = {});
