@@ -29,8 +29,8 @@ struct BandGrid {
   std::size_t passes = 0;  ///< of smoothing
   double share = 0;        ///< what a pass gives to each neighbour along an axis
   std::vector<Real> sums;  ///< sum w m (plastic strain), [columns][planes][stride]
-  /// Twice sum w m (plastic strain) and twice sum w m, [columns][stride]: a pass reads one and
-  /// writes the other. The last one written holds the average in place of the sum.
+  /// sum w m (plastic strain) and sum w m, [columns][stride], two arrays of each: a pass reads one
+  /// and writes the other. The last one written holds the average in place of the sum.
   std::vector<Real> strain[2], mass[2];
   std::vector<std::uint8_t> active;  ///< columns within reach of ground that yielded
 

@@ -136,18 +136,13 @@ bool nearly_incompressible(const LawTable& table) {
   return false;
 }
 
-namespace {
-
-bool depends(const RateColumns& rate) {
+bool RateColumns::depends() const {
   const auto is_some = [](double share) { return share != 0; };
-  return std::ranges::any_of(rate.log_share, is_some) ||
-         std::ranges::any_of(rate.power_share, is_some);
+  return std::ranges::any_of(log_share, is_some) || std::ranges::any_of(power_share, is_some);
 }
 
-}  // namespace
-
 bool has_rate(const LawTable& table) {
-  return depends(table.viscous.rate) || depends(table.viscous.remolded_rate);
+  return table.viscous.rate.depends() || table.viscous.remolded_rate.depends();
 }
 
 LawTable without_rate(const LawTable& table) {

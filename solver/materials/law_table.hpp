@@ -14,6 +14,8 @@ namespace leda::solver {
 /// factor = base + log_share ln r + power_share r^exponent.
 struct RateColumns {
   std::vector<double> base, log_share, power_share, exponent, least, reference;
+
+  bool depends() const;  ///< a row has such a law
 };
 
 /// Laws of rate and flow, one entry a row.

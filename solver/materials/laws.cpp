@@ -21,9 +21,7 @@ std::vector<Real> narrow(const std::vector<double>& column) {
 template <class Real>
 RateRows<Real> narrow(const RateColumns& laws) {
   RateRows<Real> r;
-  const auto is_some = [](double share) { return share != 0; };
-  r.depends = std::ranges::any_of(laws.log_share, is_some) ||
-              std::ranges::any_of(laws.power_share, is_some);
+  r.depends = laws.depends();
   r.base = narrow<Real>(laws.base);
   r.log_share = narrow<Real>(laws.log_share);
   r.power_share = narrow<Real>(laws.power_share);
