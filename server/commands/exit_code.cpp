@@ -9,7 +9,7 @@
 
 #include "server/http/auth.hpp"
 #include "server/http/http_server.hpp"
-#include "server/http/problem.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 
@@ -21,7 +21,7 @@ int guarded(const std::function<int()>& command) {
     for (const auto& fault : problem.faults) {
       fmt::print(stderr, "  {}: {}\n", fault.pointer, fault.message);
     }
-    return status_of(problem.failure) < 500 ? 2 : 1;
+    return is_ours(problem.failure) ? 1 : 2;
   } catch (const ListenError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return 2;

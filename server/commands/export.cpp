@@ -2,10 +2,10 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/http/problem.hpp"
 #include "server/jobs/service.hpp"
 #include "server/layers/region_layers.hpp"
 #include "server/operate/logging.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {

@@ -11,11 +11,11 @@
 #include "server/documents/execute_options.hpp"
 #include "server/documents/region_request.hpp"
 #include "server/http/handlers/section_document.hpp"
-#include "server/http/problem.hpp"
 #include "server/jobs/service.hpp"
 #include "server/layers/rasters.hpp"
 #include "server/layers/section_table.hpp"
 #include "server/operate/logging.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {

@@ -24,6 +24,7 @@ struct Options {
   std::filesystem::path tokens;
   std::vector<std::string> cors_origins;
   WorkerOptions workers;
+  JobLimits job_limits;
   Limits limits;
 };
 
@@ -51,11 +52,18 @@ AllowedOrigins origins_of(const Options& options, bool with_tokens) {
   return origins;
 }
 
-ServiceOptions options_of(const Options& options) {
+SiteOptions site_options(const Options& options) {
+  SiteOptions site;
+  site.limits = options.limits;
+  site.public_url = options.public_url;
+  if (!options.tokens.empty()) site.tokens = Tokens(options.tokens);
+  site.origins = origins_of(options, site.tokens.required());
+  return site;
+}
+
+ServiceOptions service_options(const Options& options) {
   ServiceOptions service = service_options(options.workers);
-  service.limits = options.limits;
-  service.public_url = options.public_url;
-  if (!options.tokens.empty()) service.tokens = Tokens(options.tokens);
+  service.limits = options.job_limits;
   return service;
 }
 
@@ -92,19 +100,20 @@ void cut_off_after(std::chrono::milliseconds patience) {
 
 int serve(const Options& options) {
   set_up_logging(false);
-  const ServiceOptions wanted = options_of(options);
-  const auto address = listen_address_from(options.listen, wanted.tokens.required());
+  const ServiceOptions wanted = service_options(options);
+  const SiteOptions shown = site_options(options);
+  const auto address = listen_address_from(options.listen, shown.tokens.required());
   refuse_unreachable(options, address);
-  const AllowedOrigins origins = origins_of(options, wanted.tokens.required());
   const EndSignals end;
   Service service(options.data, wanted);
+  Site site(service, shown);
   {
-    const HttpServer http(service, address, origins);
-    const nlohmann::json where = {{"url", service.url}, {"pid", getpid()}};
+    const HttpServer http(site, address);
+    const nlohmann::json where = {{"url", site.url}, {"pid", getpid()}};
     write_whole(service.data.server_file(), where.dump(2) + "\n");
-    fmt::print("leda serves {}\n", service.url);
+    fmt::print("leda serves {}\n", site.url);
     static_cast<void>(std::fflush(stdout));
-    log_info("-", "serves url={} tokens={}", service.url, wanted.tokens.required());
+    log_info("-", "serves url={} tokens={}", site.url, site.tokens.required());
     const int heard = end.wait();
     log_info("-", "ends signal={}", heard);
     cut_off_after(std::chrono::milliseconds(4500));
@@ -133,6 +142,7 @@ void add_serve(CLI::App& app, int& exit_code) {
           "whose pages may ask from a browser, as https://maps.example.org; * with tokens: "
           "any; repeated")
       ->allow_extra_args(false);
+  JobLimits& job_limits = options->job_limits;
   Limits& limits = options->limits;
   command->add_option("--most-connections", limits.connections, "at once; more get 503")
       ->check(CLI::Range(1, 100'000))
@@ -143,13 +153,13 @@ void add_serve(CLI::App& app, int& exit_code) {
   command->add_option("--most-raster-bytes", limits.raster_bytes, "of a DEM's file")
       ->check(CLI::Range(std::uint64_t{1} << 10, std::uint64_t{1} << 40))
       ->capture_default_str();
-  command->add_option("--most-jobs", limits.unfinished_jobs, "unfinished; more get 429")
+  command->add_option("--most-jobs", job_limits.unfinished_jobs, "unfinished; more get 429")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  command->add_option("--most-sections", limits.sections, "of a job")
+  command->add_option("--most-sections", job_limits.sections, "of a job")
       ->check(CLI::Range(1, 20'000))
       ->capture_default_str();
-  command->add_option("--most-particles", limits.particles, "of all runs of a job together")
+  command->add_option("--most-particles", job_limits.particles, "of all runs of a job together")
       ->check(CLI::Range(1.0, 1e15))
       ->capture_default_str();
   add_worker_options(*command, options->workers);

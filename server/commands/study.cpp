@@ -11,10 +11,10 @@
 #include "server/commands/exit_code.hpp"
 #include "server/documents/study_document.hpp"
 #include "server/drawings/study_drawing.hpp"
-#include "server/http/problem.hpp"
 #include "server/jobs/executors/local_executor.hpp"
 #include "server/jobs/study_folder.hpp"
 #include "server/operate/data_folder.hpp"
+#include "server/operate/problem.hpp"
 #include "server/run/interrupt_signals.hpp"
 #include "server/run/run_folder.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "server/http/problem.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 

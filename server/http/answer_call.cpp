@@ -2,9 +2,9 @@
 
 #include "server/http/accept.hpp"
 #include "server/http/gate.hpp"
-#include "server/http/problem.hpp"
+#include "server/http/problem_answer.hpp"
 #include "server/http/routes.hpp"
-#include "server/jobs/service.hpp"
+#include "server/http/site.hpp"
 #include "server/operate/logging.hpp"
 
 namespace leda::server {
@@ -35,11 +35,11 @@ std::string hint_of(const std::string& target) {
 }
 
 /// Nothing answers this method on this path.
-Answer answer_without_route(Service& service, const Call& call, const std::string& target,
-                            const RouteMatch& match, const AllowedOrigins& origins) {
-  const bool preflight = call.method == "OPTIONS" && origins.allows(call.header("Origin")) &&
+Answer answer_without_route(Site& site, const Call& call, const std::string& target,
+                            const RouteMatch& match) {
+  const bool preflight = call.method == "OPTIONS" && site.origins.allows(call.header("Origin")) &&
                          !call.header("Access-Control-Request-Method").empty();
-  if (!preflight) require_role(Role::read, call.header, service.tokens);
+  if (!preflight) require_role(Role::read, call.header, site.tokens);
   if (match.other_methods.empty()) {
     throw Problem(Failure::no_such_resource, "there is nothing at " + call.path + hint_of(target));
   }
@@ -83,18 +83,17 @@ void refuse_wrong_accept(const Route& route, const Call& call) {
                 "Accept is '" + accept + "': there is " + std::string(types.front()));
 }
 
-Answer answer_to(Service& service, Call& call, const std::string& target,
-                 const AllowedOrigins& origins, Told& told) {
+Answer answer_to(Site& site, Call& call, const std::string& target, Told& told) {
   const RouteMatch match = find_route(routes(), call.method, target);
-  if (match.route == nullptr) return answer_without_route(service, call, target, match, origins);
+  if (match.route == nullptr) return answer_without_route(site, call, target, match);
   const Route& route = *match.route;
   told.route = route.path;
   call.captured = match.captured;
-  told.holder = require_role(route.role, call.header, service.tokens).name;
+  told.holder = require_role(route.role, call.header, site.tokens).name;
   refuse_wrong_parameters(route, call);
   refuse_wrong_accept(route, call);
   told.job = job_in(route, call, {});
-  Answer answer = route.handler(service, call);
+  Answer answer = route.handler(site, call);
   if (told.job == "-") told.job = job_in(route, call, answer);
   if (is_read(call) && media_types(route).size() > 1) answer.headers.emplace_back("Vary", "Accept");
   return answer;
@@ -102,10 +101,9 @@ Answer answer_to(Service& service, Call& call, const std::string& target,
 
 }  // namespace
 
-Answer answer_call(Service& service, Call& call, const std::string& target,
-                   const AllowedOrigins& origins, Told& told) {
+Answer answer_call(Site& site, Call& call, const std::string& target, Told& told) {
   try {
-    return answer_to(service, call, target, origins, told);
+    return answer_to(site, call, target, told);
   } catch (const Problem& problem) {
     return to_answer(problem, call.path);
   } catch (const std::exception& error) {

@@ -4,11 +4,10 @@
 #include <string>
 
 #include "server/http/answer.hpp"
-#include "server/http/cors.hpp"
 
 namespace leda::server {
 
-struct Service;
+struct Site;
 
 /// What the log and the metrics tell of a request.
 struct Told {
@@ -20,7 +19,6 @@ struct Told {
 /// Every failure becomes an answer; the log has what is not the client's fault. `call.captured` is
 /// filled in. Safe from several threads.
 /// @param target the path as sent, still percent-encoded, without the query
-Answer answer_call(Service& service, Call& call, const std::string& target,
-                   const AllowedOrigins& origins, Told& told);
+Answer answer_call(Site& site, Call& call, const std::string& target, Told& told);
 
 }  // namespace leda::server

@@ -4,7 +4,7 @@
 #include <cctype>
 
 #include "server/http/header_list.hpp"
-#include "server/http/problem.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {

@@ -97,17 +97,6 @@ class BoundedPool final : public httplib::TaskQueue {
   std::vector<std::thread> threads_;
 };
 
-class Counted {
- public:
-  explicit Counted(std::atomic<std::size_t>& count) : count_(count) { ++count_; }
-  ~Counted() { --count_; }
-  Counted(const Counted&) = delete;
-  Counted& operator=(const Counted&) = delete;
-
- private:
-  std::atomic<std::size_t>& count_;
-};
-
 bool has_something_to_read(socket_t socket) {
   pollfd one{socket, POLLIN, 0};
   return poll(&one, 1, idle_ms) > 0;
@@ -139,7 +128,7 @@ bool GuardedHttp::process_and_close_socket(socket_t socket) {
   if (this_thread().turns_away) {
     send_and_forget(socket, 503, "Too many connections", "Retry-After: 1\r\n");
   } else {
-    const Counted counted(open_);
+    const auto counted = open_.take();
     answered = answer_requests(socket);
   }
   if (this_thread().closes_after_answer) linger(socket);

@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "server/http/limits.hpp"
+#include "server/http/slots.hpp"
 
 namespace leda::server {
 
@@ -22,7 +23,7 @@ class GuardedHttp final : public httplib::Server {
   /// Longer than the five that the library asks for: a browser opens six connections at once.
   void lengthen_backlog() const;
   void end_soon() { ending_ = true; }
-  std::size_t connections() const { return open_; }
+  std::size_t connections() const { return open_.taken(); }
 
  private:
   bool process_and_close_socket(socket_t socket) override;
@@ -30,7 +31,7 @@ class GuardedHttp final : public httplib::Server {
 
   const Limits limits_;
   socket_t listening_ = -1;
-  std::atomic<std::size_t> open_{0};
+  Slots open_;
   std::atomic<bool> ending_{false};
 };
 

@@ -6,7 +6,7 @@
 #include "server/http/answer_call.hpp"
 #include "server/http/gate.hpp"
 #include "server/http/guarded_http.hpp"
-#include "server/http/problem.hpp"
+#include "server/http/problem_answer.hpp"
 #include "server/http/send_answer.hpp"
 #include "server/operate/logging.hpp"
 
@@ -40,17 +40,17 @@ Call call_of(const httplib::Request& request, const httplib::ContentReader* read
 }
 
 /// Changes and failures are told; the rest only where somebody looks for it.
-void tell(Service& service, const httplib::Request& request, const Told& told, int status,
+void tell(Site& site, const httplib::Request& request, const Told& told, int status,
           double seconds) {
-  service.metrics.count_request(request.method, told.route, status, seconds);
+  site.service.metrics.count_request(request.method, told.route, status, seconds);
   const bool matters = request.method != "GET" || status >= 500;
   spdlog::log(matters ? spdlog::level::info : spdlog::level::debug,
               "job={} request method={} route={} status={} ms={:.1f} holder={}", told.job,
               request.method, told.route, status, 1000 * seconds, told.holder);
 }
 
-void handle(Service& service, const AllowedOrigins& origins, const httplib::Request& request,
-            httplib::Response& response, const httplib::ContentReader* reader) {
+void handle(Site& site, const httplib::Request& request, httplib::Response& response,
+            const httplib::ContentReader* reader) {
   const auto start = std::chrono::steady_clock::now();
   bool body_left = request.get_header_value<uint64_t>("Content-Length") > 0;
   Call call = call_of(request, reader);
@@ -60,11 +60,11 @@ void handle(Service& service, const AllowedOrigins& origins, const httplib::Requ
     return whole;
   };
   Told told;
-  Answer answer = answer_call(service, call, path_of(request), origins, told);
-  send(service, request, answer, response);
+  Answer answer = answer_call(site, call, path_of(request), told);
+  send(site, request, answer, response);
   if (body_left) close_after_this_answer();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  tell(service, request, told, response.status, took.count());
+  tell(site, request, told, response.status, took.count());
 }
 
 /// Problems that the library finds by itself get the same form as all others.
@@ -94,9 +94,7 @@ void refuse_unknown_encoding(const httplib::Request& request) {
 }
 
 /// Refuses before the body is read. The connection ends then: the body would be left in it.
-httplib::Server::HandlerResponse before_routing(const Service& service,
-                                                const AllowedOrigins& origins,
-                                                const httplib::Request& request,
+httplib::Server::HandlerResponse before_routing(const Site& site, const httplib::Request& request,
                                                 httplib::Response& response) {
   try {
     // Where a proxy in front and the library read the length of a body in different ways, the rest
@@ -110,7 +108,7 @@ httplib::Server::HandlerResponse before_routing(const Service& service,
       throw Problem(Failure::invalid_request, "the Content-Length must be one whole number");
     }
     refuse_unknown_encoding(request);
-    refuse_at_the_gate(headers_of(request), service.tokens, service.url, origins);
+    refuse_at_the_gate(headers_of(request), site.tokens, site.url, site.origins);
     return httplib::Server::HandlerResponse::Unhandled;
   } catch (const Problem& problem) {
     const Answer answer = to_answer(problem, request.path);
@@ -122,14 +120,14 @@ httplib::Server::HandlerResponse before_routing(const Service& service,
   }
 }
 
-void set_up(httplib::Server& http, Service& service, const AllowedOrigins& origins) {
+void set_up(httplib::Server& http, Site& site) {
   const std::string everything = R"([\s\S]*)";
   const auto plain = [&](const httplib::Request& request, httplib::Response& response) {
-    handle(service, origins, request, response, nullptr);
+    handle(site, request, response, nullptr);
   };
   const auto with_body = [&](const httplib::Request& request, httplib::Response& response,
                              const httplib::ContentReader& reader) {
-    handle(service, origins, request, response, &reader);
+    handle(site, request, response, &reader);
   };
   http.Get(everything, plain);
   http.Options(everything, plain);
@@ -138,13 +136,13 @@ void set_up(httplib::Server& http, Service& service, const AllowedOrigins& origi
   http.Patch(everything, with_body);
   http.Delete(everything, plain);
   http.Delete(everything, with_body);
-  http.set_payload_max_length(service.limits.raster_bytes);  // documents have a limit of their own
+  http.set_payload_max_length(site.limits.raster_bytes);  // documents have a limit of their own
   http.set_tcp_nodelay(true);
   http.set_pre_routing_handler([&](const httplib::Request& request, httplib::Response& response) {
-    return before_routing(service, origins, request, response);
+    return before_routing(site, request, response);
   });
   http.set_post_routing_handler([&](const httplib::Request& request, httplib::Response& response) {
-    for (const auto& [name, value] : origins.headers(request.get_header_value("Origin"))) {
+    for (const auto& [name, value] : site.origins.headers(request.get_header_value("Origin"))) {
       response.set_header(name, value);
     }
   });
@@ -184,21 +182,17 @@ ListenAddress listen_address_from(const std::string& text, bool with_tokens) {
 }
 
 struct HttpServer::Running {
-  Running(Service& of, AllowedOrigins allowed)
-      : service(of), origins(std::move(allowed)), http(of.limits, threads_of(of)) {}
-  static std::size_t threads_of(const Service& of) {
-    return threads_beside_streams + of.limits.streams;
-  }
-  Service& service;
-  const AllowedOrigins origins;
+  explicit Running(Site& of)
+      : site(of), http(of.limits, threads_beside_streams + of.limits.streams) {}
+  Site& site;
   GuardedHttp http;
   std::thread thread;
 };
 
-HttpServer::HttpServer(Service& service, const ListenAddress& address, AllowedOrigins origins)
-    : running_(std::make_unique<Running>(service, std::move(origins))) {
+HttpServer::HttpServer(Site& site, const ListenAddress& address)
+    : running_(std::make_unique<Running>(site)) {
   GuardedHttp& http = running_->http;
-  set_up(http, service, running_->origins);
+  set_up(http, site);
   int port = address.port;
   const bool bound = port == 0 ? (port = http.bind_to_any_port(address.host)) > 0
                                : http.bind_to_port(address.host, port);
@@ -209,18 +203,18 @@ HttpServer::HttpServer(Service& service, const ListenAddress& address, AllowedOr
                       ": is the port in use?");
   }
   http.lengthen_backlog();
-  service.url = service.public_url.empty() ? "http://" + shown + ":" + std::to_string(port)
-                                           : service.public_url;
-  service.connections = [&http] { return http.connections(); };
+  site.url =
+      site.public_url.empty() ? "http://" + shown + ":" + std::to_string(port) : site.public_url;
+  site.connections = [&http] { return http.connections(); };
   running_->thread = std::thread([&http] { http.listen_after_bind(); });
 }
 
 HttpServer::~HttpServer() {
-  running_->service.stopping = true;
+  running_->site.stopping = true;
   running_->http.end_soon();
   running_->http.stop();
   if (running_->thread.joinable()) running_->thread.join();
-  running_->service.connections = [] { return std::size_t{0}; };
+  running_->site.connections = [] { return std::size_t{0}; };
 }
 
 }  // namespace leda::server

@@ -5,8 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "server/http/cors.hpp"
-#include "server/jobs/service.hpp"
+#include "server/http/site.hpp"
 
 namespace leda::server {
 
@@ -26,10 +25,10 @@ ListenAddress listen_address_from(const std::string& text, bool with_tokens = fa
 
 class HttpServer {
  public:
-  /// Binds and serves from threads of its own; service.url is set.
+  /// Binds and serves from threads of its own; site.url is set.
   /// @param origins whose pages may ask too
   /// @throws ListenError where the address is taken
-  HttpServer(Service& service, const ListenAddress& address, AllowedOrigins origins = {});
+  HttpServer(Site& site, const ListenAddress& address);
   /// Stops listening and ends open answers.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;

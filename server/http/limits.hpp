@@ -1,5 +1,5 @@
 #pragma once
-// What one client, one request and one job may take of the server.
+// What one client and one request may take of the server.
 
 #include <chrono>
 #include <cstddef>
@@ -21,11 +21,6 @@ struct Limits {
   std::uint64_t raster_bytes = std::uint64_t{4} << 30;  ///< of a DEM's file
   std::size_t document_bytes = std::size_t{16} << 20;
   std::size_t registrations = 2;  ///< of DEMs, at once
-
-  // Jobs
-  std::size_t unfinished_jobs = 200;
-  std::size_t sections = 20'000;  ///< of a job
-  double particles = 5e9;         ///< of all runs of a job together
 };
 
 }  // namespace leda::server

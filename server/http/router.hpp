@@ -12,12 +12,12 @@
 
 namespace leda::server {
 
-struct Service;
+struct Site;
 
 struct Route {
   std::string_view method;
   std::string_view path;  ///< "/jobs/{id}/sections/{name}"
-  Answer (*handler)(Service& service, const Call& call);
+  Answer (*handler)(Site& site, const Call& call);
   std::string_view summary;  ///< one line, for /api
   /// Query parameters that the route knows, separated by blanks; any other is refused.
   std::string_view parameters{};

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "server/http/problem.hpp"
+#include "server/http/problem_answer.hpp"
 #include "server/http/ranges.hpp"
 
 namespace leda::server {
@@ -139,10 +139,10 @@ bool send_ranges(const std::string& range, const httplib::Request& request,
   return true;
 }
 
-void send_stream(Service& service, const Answer& answer, httplib::Response& response) {
+void send_stream(Site& site, const Answer& answer, httplib::Response& response) {
   response.set_chunked_content_provider(
-      answer.type, [&service, next = answer.stream](std::size_t, httplib::DataSink& sink) {
-        if (service.stopping || !sink.is_writable()) return false;
+      answer.type, [&site, next = answer.stream](std::size_t, httplib::DataSink& sink) {
+        if (site.stopping || !sink.is_writable()) return false;
         const auto piece = next();
         if (!piece) {
           sink.done();
@@ -154,12 +154,12 @@ void send_stream(Service& service, const Answer& answer, httplib::Response& resp
 
 }  // namespace
 
-void send(Service& service, const httplib::Request& request, Answer& answer,
+void send(Site& site, const httplib::Request& request, Answer& answer,
           httplib::Response& response) {
   response.status = answer.status;
   for (const auto& [name, value] : answer.headers) response.set_header(name, value);
   response.set_header("X-Content-Type-Options", "nosniff");
-  if (answer.stream) return send_stream(service, answer, response);
+  if (answer.stream) return send_stream(site, answer, response);
   const std::string range = range_of(request, answer);
   const bool is_read = request.method == "GET" || request.method == "HEAD";
   if (is_read && answer.status == 200) response.set_header("Accept-Ranges", "bytes");

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "server/http/problem.hpp"
 #include "server/layers/summary.hpp"
 #include "server/operate/logging.hpp"
+#include "server/operate/problem.hpp"
 #include "server/run/run_checkpoint.hpp"
 #include "server/run/whole_file.hpp"
 

@@ -12,9 +12,9 @@
 #include "profiles/zonation.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/screening_document.hpp"
-#include "server/http/limits.hpp"
-#include "server/http/problem.hpp"
+#include "server/jobs/job_limits.hpp"
 #include "server/jobs/request_pointers.hpp"
+#include "server/operate/problem.hpp"
 #include "solver/screening/decide.hpp"
 #include "solver/section/warnings.hpp"
 
@@ -170,7 +170,7 @@ class Region final : public Work {
 
   std::vector<profiles::LaidSection> lay_out(const profiles::Dem& dem) const {
     profiles::LayoutLimits limits;
-    limits.most_sections = Limits{}.sections;
+    limits.most_sections = JobLimits{}.sections;
     auto layout = profiles::lay_out_sections(request_.layout, dem, limits);
     for (auto& fault : layout.faults) fault.pointer = layout_pointer(document_, fault.pointer);
     if (!layout.faults.empty()) {

@@ -4,7 +4,7 @@
 
 #include "server/documents/study_document.hpp"
 #include "server/drawings/study_drawing.hpp"
-#include "server/http/problem.hpp"
+#include "server/operate/problem.hpp"
 #include "solver/section/crest_and_toe.hpp"
 
 namespace leda::server {

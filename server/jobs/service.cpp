@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "server/documents/execute_options.hpp"
-#include "server/http/problem.hpp"
 #include "server/jobs/dry_run.hpp"
 #include "server/jobs/executors/slurm/shared_folder.hpp"
 #include "server/jobs/executors/slurm/slurm_executor.hpp"
 #include "server/layers/features.hpp"
 #include "server/operate/logging.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {
@@ -108,8 +108,6 @@ std::unique_ptr<Executor> executor(const ServiceOptions& options, const DataFold
 
 Service::Service(const std::filesystem::path& data_folder, const ServiceOptions& options)
     : limits(options.limits),
-      tokens(options.tokens),
-      public_url(options.public_url),
       data(opened(data_folder, options)),
       lock(data),
       store(data.store()),

@@ -1,21 +1,17 @@
 #pragma once
 // Everything a request or a command can reach: the data folder, its store, its dispatcher.
 
-#include <atomic>
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "db/store.hpp"
-#include "db/turns.hpp"
-#include "server/http/auth.hpp"
-#include "server/http/limits.hpp"
 #include "server/jobs/dispatcher.hpp"
 #include "server/jobs/executors/local_executor.hpp"
 #include "server/jobs/executors/slurm/settings.hpp"
+#include "server/jobs/job_limits.hpp"
 #include "server/jobs/process.hpp"
 #include "server/operate/data_folder.hpp"
 #include "server/operate/metrics.hpp"
@@ -30,9 +26,7 @@ struct ServiceOptions {
   RunLimits run_limits;
   SlurmSettings slurm;
   std::filesystem::path program = program_beside();  ///< of the workers
-  Limits limits;
-  Tokens tokens;           ///< none: only for the loopback interface
-  std::string public_url;  ///< how clients reach it, behind a proxy; empty: as it listens
+  JobLimits limits;
 };
 
 struct Service {
@@ -40,20 +34,12 @@ struct Service {
   /// @throws DataFolderError, db::StoreError
   Service(const std::filesystem::path& data_folder, const ServiceOptions& options);
 
-  const Limits limits;
-  const Tokens tokens;
-  const std::string public_url;
+  const JobLimits limits;
   DataFolder data;
   RunnerLock lock;
   db::Store store;
   Metrics metrics;
-  std::mutex submitting;              ///< one job is added at a time, so that a key is used once
-  db::Turns pages{8};                 ///< of many sections: each takes megabytes while it is made
-  std::atomic<int> streams{0};        ///< of events, open now
-  std::atomic<int> registrations{0};  ///< of DEMs, going on now
-  std::atomic<bool> stopping{false};
-  std::function<std::size_t()> connections = [] { return std::size_t{0}; };  ///< open now
-  std::string url;        ///< "http://127.0.0.1:8080", where it is served
+  std::mutex submitting;  ///< one job is added at a time, so that a key is used once
   Dispatcher dispatcher;  ///< last: it uses all the others
 };
 

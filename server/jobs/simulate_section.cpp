@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "server/documents/case_file.hpp"
-#include "server/http/problem.hpp"
+#include "server/operate/problem.hpp"
 #include "solver/section/crest_and_toe.hpp"
 #include "solver/section/warnings.hpp"
 

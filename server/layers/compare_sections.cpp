@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "server/http/problem.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 

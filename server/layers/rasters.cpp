@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "profiles/register_dem.hpp"
-#include "server/http/problem.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "server/http/problem.hpp"
 #include "server/layers/summary.hpp"
+#include "server/operate/problem.hpp"
 #include "solver/section/warnings.hpp"
 
 namespace leda::server {

@@ -21,8 +21,8 @@ std::ostream& operator<<(std::ostream& out, const Breach& breach);
 /// and tests may include all. Includes are written from the root of the repository.
 std::vector<Breach> wrong_directions(const SourceTree& tree);
 
-/// The rooms inside solver/ have arrows of their own, and every file of the solver has a room.
-std::vector<Breach> wrong_directions_in_solver(const SourceTree& tree);
+/// The rooms inside solver/ and server/ have arrows of their own, and no folder there is another.
+std::vector<Breach> wrong_directions_inside(const SourceTree& tree);
 
 /// No header leads back to itself.
 std::vector<Breach> circles(const SourceTree& tree);

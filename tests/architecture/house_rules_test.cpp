@@ -84,19 +84,33 @@ INSTANTIATE_TEST_SUITE_P(Rooms, WrongDirection,
                                            Wrong{"server/main.cpp", "deploy/demo/dem.hpp"},
                                            Wrong{"deploy/demo/dem.cpp", "profiles/dem.hpp"}));
 
-TEST(HouseRules, AnArrowBackBetweenRoomsOfTheSolverIsNoticed) {
+TEST(HouseRules, AnArrowBackBetweenInnerRoomsIsNoticed) {
   const std::vector<Wrong> wrong = {{"solver/materials/a.cpp", "solver/kernel/grid.hpp"},
                                     {"solver/kernel/a.cpp", "solver/statics/statics.hpp"},
                                     {"solver/statics/a.cpp", "solver/run/audit.hpp"},
                                     {"solver/screening/a.cpp", "solver/kernel/grid.hpp"},
                                     {"solver/element_test/a.cpp", "solver/run/simulate.hpp"},
-                                    {"solver/section/a.cpp", "solver/materials/softening.hpp"}};
+                                    {"solver/section/a.cpp", "solver/materials/softening.hpp"},
+                                    {"server/jobs/a.cpp", "server/http/limits.hpp"},
+                                    {"server/layers/a.cpp", "server/http/site.hpp"},
+                                    {"server/layers/a.cpp", "server/jobs/service.hpp"},
+                                    {"server/http/handlers/a.cpp", "server/commands/commands.hpp"},
+                                    {"server/jobs/executors/slurm/a.hpp", "server/http/auth.hpp"},
+                                    {"server/run/a.cpp", "server/jobs/service.hpp"},
+                                    {"server/documents/a.cpp", "server/run/run_folder.hpp"},
+                                    {"server/drawings/a.cpp", "server/layers/summary.hpp"},
+                                    {"server/operate/a.cpp", "server/run/run_folder.hpp"}};
   for (const auto& [file, target] : wrong) {
-    const auto found = wrong_directions_in_solver(with(file, "// a line\n" + include(target)));
+    const auto found = wrong_directions_inside(with(file, "// a line\n" + include(target)));
     ASSERT_EQ(found.size(), 1U) << file << " includes " << target;
     EXPECT_EQ(found[0].line, 2);
   }
-  EXPECT_EQ(wrong_directions_in_solver(with("solver/cellar/a.cpp", "")).size(), 1U);
+  EXPECT_EQ(wrong_directions_inside(with("solver/cellar/a.cpp", "")).size(), 1U);
+  EXPECT_EQ(wrong_directions_inside(with("server/cellar/a.cpp", "")).size(), 1U);
+  EXPECT_TRUE(wrong_directions_inside(
+                  with("server/http/handlers/a.cpp",
+                       include("server/jobs/service.hpp") + include("server/http/site.hpp")))
+                  .empty());
 }
 
 TEST(HouseRules, HeadersThatIncludeEachOtherAreNoticed) {

@@ -18,24 +18,37 @@ const std::vector<std::string>& may_include(const std::string& room) {
   return doors.at(room);
 }
 
-// The rooms inside solver/ (solver/README.md, "Rooms"): what each may include beside itself.
-const std::map<std::string, std::vector<std::string>>& rooms_of_the_solver() {
-  static const std::map<std::string, std::vector<std::string>> doors = {
-      {"section", {}},
-      {"materials", {"section"}},
-      {"kernel", {"section", "materials"}},
-      {"statics", {"section", "materials", "kernel"}},
-      {"run", {"section", "materials", "kernel", "statics"}},
-      {"extremes", {"section", "run"}},
-      {"study", {"section"}},
-      {"screening", {"section"}},
-      {"element_test", {"section", "materials", "kernel"}}};
-  return doors;
+using Doors = std::map<std::string, std::vector<std::string>>;
+
+// The rooms inside solver/ (solver/README.md, "Rooms") and server/ (server/README.md, "Rooms"):
+// what each may include beside itself.
+const std::map<std::string, Doors>& inner_rooms() {
+  static const std::map<std::string, Doors> rooms = {
+      {"solver",
+       {{"section", {}},
+        {"materials", {"section"}},
+        {"kernel", {"section", "materials"}},
+        {"statics", {"section", "materials", "kernel"}},
+        {"run", {"section", "materials", "kernel", "statics"}},
+        {"extremes", {"section", "run"}},
+        {"study", {"section"}},
+        {"screening", {"section"}},
+        {"element_test", {"section", "materials", "kernel"}}}},
+      {"server",
+       {{"operate", {}},
+        {"documents", {}},
+        {"drawings", {"documents"}},
+        {"run", {"documents", "operate"}},
+        {"layers", {"run", "documents", "drawings", "operate"}},
+        {"jobs", {"layers", "run", "documents", "drawings", "operate"}},
+        {"http", {"jobs", "layers", "run", "documents", "drawings", "operate"}},
+        {"commands", {"http", "jobs", "layers", "run", "documents", "drawings", "operate"}}}}};
+  return rooms;
 }
 
-// "kernel" of solver/kernel/step.hpp; empty for a file that stands in no room of the solver.
-std::string solver_room_of(const std::string& path) {
-  const std::string start = "solver/";
+// "kernel" of solver/kernel/step.hpp; empty for a file that stands in no room inside `room`.
+std::string inner_room_of(const std::string& path, const std::string& room) {
+  const std::string start = room + "/";
   const auto end = path.find('/', start.size());
   if (!path.starts_with(start) || end == std::string::npos) return "";
   return path.substr(start.size(), end - start.size());
@@ -110,22 +123,25 @@ std::vector<Breach> wrong_directions(const SourceTree& tree) {
   return found;
 }
 
-std::vector<Breach> wrong_directions_in_solver(const SourceTree& tree) {
+std::vector<Breach> wrong_directions_inside(const SourceTree& tree) {
   std::vector<Breach> found;
   for (const auto& [file, text] : tree) {
-    const std::string room = solver_room_of(file);
-    if (!is_cpp(file) || room.empty()) continue;
-    const auto doors = rooms_of_the_solver().find(room);
-    if (doors == rooms_of_the_solver().end()) {
-      found.push_back({file, 0, "solver/" + room + "/ is no room of the solver"});
+    const std::string house = room_of(file);
+    const auto rooms = inner_rooms().find(house);
+    if (!is_cpp(file) || rooms == inner_rooms().end()) continue;
+    const std::string room = inner_room_of(file, house);
+    if (room.empty()) continue;
+    const auto doors = rooms->second.find(room);
+    if (doors == rooms->second.end()) {
+      found.push_back({file, 0, house + "/" + room + "/ is no room of the " + house});
       continue;
     }
     for (const Include& include : includes_of(text)) {
-      const std::string other = solver_room_of(include.target);
+      const std::string other = inner_room_of(include.target, house);
       if (other.empty() || other == room) continue;
       if (std::ranges::find(doors->second, other) == doors->second.end()) {
         found.push_back(
-            {file, include.line, "solver/" + room + "/ may not include " + include.target});
+            {file, include.line, house + "/" + room + "/ may not include " + include.target});
       }
     }
   }

@@ -5,10 +5,10 @@
 
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/parameters.hpp"
-#include "server/http/problem.hpp"
-#include "server/jobs/service.hpp"
+#include "server/http/site.hpp"
 #include "server/layers/features.hpp"
 #include "server/layers/region_layers.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {
@@ -48,19 +48,21 @@ std::optional<MapBox> wanted_box(const Call& call) {
   return MapBox{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-db::PageFilter filter_of(const Service& service, const Call& call) {
+db::PageFilter filter_of(const Site& site, const Call& call) {
   db::PageFilter filter;
   filter.limit = whole_number(call, "limit", 100, 1, 10'000);
   filter.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
   filter.box = wanted_box(call);
   interval(call);  // features have no time of their own, so that each is of any time
-  if (const auto id = call.parameter("job")) filter.job = job_or_problem(service.store, *id).id;
+  if (const auto id = call.parameter("job"))
+    filter.job = job_or_problem(site.service.store, *id).id;
   return filter;
 }
 
 /// A job that stands on no DEM has nothing on the map.
-bool has_a_map(const Service& service, const db::PageFilter& filter) {
-  return filter.job.empty() || epsg_of(service.store, *service.store.job(filter.job)) != 0;
+bool has_a_map(const Site& site, const db::PageFilter& filter) {
+  return filter.job.empty() ||
+         epsg_of(site.service.store, *site.service.store.job(filter.job)) != 0;
 }
 
 /// The CRS the coordinates are kept in, where all features share one.
@@ -73,9 +75,9 @@ json link(const std::string& href, const char* rel, const char* type) {
   return {{"href", href}, {"rel", rel}, {"type", type}};
 }
 
-json collection_document(const Service& service, Collection collection) {
-  const std::string own = service.url + "/collections/" + to_string(collection);
-  const db::Coverage coverage = coverage_of(service.store, collection);
+json collection_document(const Site& site, Collection collection) {
+  const std::string own = site.url + "/collections/" + to_string(collection);
+  const db::Coverage coverage = coverage_of(site.service.store, collection);
   const char* title = collection == Collection::sections        ? "Sections"
                       : collection == Collection::release_zones ? "Release zones"
                                                                 : "Runout zones";
@@ -105,48 +107,48 @@ Answer geojson_answer(const json& document) {
 
 }  // namespace
 
-Answer get_collections(Service& service, const Call& call) {
+Answer get_collections(Site& site, const Call& call) {
   format(call, {"json"});
   json collections = json::array();
   for (const Collection collection : all_collections) {
-    collections.push_back(collection_document(service, collection));
+    collections.push_back(collection_document(site, collection));
   }
   return json_answer(
       {{"collections", collections},
-       {"links", json::array({link(service.url + "/collections", "self", "application/json")})}});
+       {"links", json::array({link(site.url + "/collections", "self", "application/json")})}});
 }
 
-Answer get_collection(Service& service, const Call& call) {
+Answer get_collection(Site& site, const Call& call) {
   format(call, {"json"});
-  return json_answer(collection_document(service, collection_or_problem(call.captured[0])));
+  return json_answer(collection_document(site, collection_or_problem(call.captured[0])));
 }
 
-Answer get_schema(Service& /*service*/, const Call& call) {
+Answer get_schema(Site& /*site*/, const Call& call) {
   format(call, {"json"});
   Answer answer = json_answer(schema_of(collection_or_problem(call.captured[0])));
   answer.type = "application/schema+json";
   return answer;
 }
 
-Answer get_items(Service& service, const Call& call) {
+Answer get_items(Site& site, const Call& call) {
   format(call, {"json", "geojson"});
   const Collection collection = collection_or_problem(call.captured[0]);
-  const db::PageFilter filter = filter_of(service, call);
-  const bool any = has_a_map(service, filter);
-  const int matched = any ? count_features(service.store, collection, filter) : 0;
+  const db::PageFilter filter = filter_of(site, call);
+  const bool any = has_a_map(site, filter);
+  const int matched = any ? count_features(site.service.store, collection, filter) : 0;
   Answer answer;
   answer.type = "application/geo+json";
   // Written piece by piece: a whole page as JSON takes many times as much as its text.
   answer.body = R"({"type":"FeatureCollection","features":[)";
   int returned = 0;
   if (any) {
-    const db::Turns::Turn turn(service.pages);
-    for_each_feature(service.store, collection, filter, [&](const json& feature) {
+    const db::Turns::Turn turn(site.pages);
+    for_each_feature(site.service.store, collection, filter, [&](const json& feature) {
       answer.body += returned++ == 0 ? "\n" : ",\n";
       answer.body += text_of(feature);
     });
   }
-  const std::string own = service.url + "/collections/" + to_string(collection);
+  const std::string own = site.url + "/collections/" + to_string(collection);
   json rest;
   rest["links"] = json::array(
       {link(with_offset(call, own + "/items", filter.offset), "self", "application/geo+json")});
@@ -162,7 +164,7 @@ Answer get_items(Service& service, const Call& call) {
   return answer;
 }
 
-Answer get_item(Service& service, const Call& call) {
+Answer get_item(Site& site, const Call& call) {
   format(call, {"json", "geojson"});
   const Collection collection = collection_or_problem(call.captured[0]);
   const std::string& text = call.captured[1];
@@ -173,14 +175,14 @@ Answer get_item(Service& service, const Call& call) {
   filter.id = id;
   json found;
   if (is_id) {
-    for_each_feature(service.store, collection, filter,
+    for_each_feature(site.service.store, collection, filter,
                      [&](json&& feature) { found = std::move(feature); });
   }
   if (found.is_null()) {
     throw Problem(Failure::no_such_resource,
                   "there is no feature " + text + " in " + to_string(collection));
   }
-  const std::string own = service.url + "/collections/" + to_string(collection);
+  const std::string own = site.url + "/collections/" + to_string(collection);
   found["links"] = json::array({link(own + "/items/" + text, "self", "application/geo+json"),
                                 link(own, "collection", "application/json")});
   return geojson_answer(found);

@@ -4,26 +4,14 @@
 
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/job_document.hpp"
-#include "server/http/problem.hpp"
-#include "server/jobs/service.hpp"
+#include "server/http/site.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {
 
 constexpr std::chrono::milliseconds between_looks{250};
 constexpr std::chrono::seconds between_signs_of_life{15};
-
-/// One of the few streams that may be open; given back when the stream ends.
-class StreamSlot {
- public:
-  explicit StreamSlot(std::atomic<int>& streams) : streams_(streams) { ++streams_; }
-  ~StreamSlot() { --streams_; }
-  StreamSlot(const StreamSlot&) = delete;
-  StreamSlot& operator=(const StreamSlot&) = delete;
-
- private:
-  std::atomic<int>& streams_;
-};
 
 bool is_finished(db::JobState state) {
   return state != db::JobState::accepted && state != db::JobState::running;
@@ -33,7 +21,7 @@ bool is_finished(db::JobState state) {
 /// may fall into one millisecond), so a client that comes back with Last-Event-ID hears only what
 /// is new.
 struct Follower {
-  Service& service;
+  Site& site;
   std::string job;
   std::string last_id;
   bool done = false;
@@ -41,7 +29,7 @@ struct Follower {
 
   std::optional<std::string> next() {
     if (done) return std::nullopt;
-    const auto record = service.store.job(job);
+    const auto record = site.service.store.job(job);
     if (!record) return std::nullopt;
     done = is_finished(record->state);
     const auto now = std::chrono::steady_clock::now();
@@ -49,8 +37,8 @@ struct Follower {
     if (id != last_id) {
       last_id = id;
       spoke = now;
-      return "id: " + last_id +
-             "\nevent: status\ndata: " + status_info(*record, service.url).dump() + "\n\n";
+      return "id: " + last_id + "\nevent: status\ndata: " + status_info(*record, site.url).dump() +
+             "\n\n";
     }
     if (done) return std::nullopt;
     std::this_thread::sleep_for(between_looks);
@@ -62,14 +50,13 @@ struct Follower {
 
 }  // namespace
 
-Answer get_events(Service& service, const Call& call) {
-  const auto job = job_or_problem(service.store, call.captured[0]);
-  auto slot = std::make_shared<StreamSlot>(service.streams);
-  if (service.streams > static_cast<int>(service.limits.streams)) {
+Answer get_events(Site& site, const Call& call) {
+  const auto job = job_or_problem(site.service.store, call.captured[0]);
+  auto slot = site.streams.take();
+  if (!slot) {
     throw Problem(Failure::too_busy, "too many event streams are open: poll the job instead");
   }
-  auto follower =
-      std::make_shared<Follower>(Follower{service, job.id, call.header("Last-Event-ID")});
+  auto follower = std::make_shared<Follower>(Follower{site, job.id, call.header("Last-Event-ID")});
   Answer answer;
   answer.type = "text/event-stream";
   answer.headers.emplace_back("Cache-Control", "no-cache");

@@ -4,8 +4,8 @@
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/job_document.hpp"
 #include "server/http/handlers/parameters.hpp"
-#include "server/http/problem.hpp"
-#include "server/jobs/service.hpp"
+#include "server/http/site.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {
@@ -36,43 +36,42 @@ db::JobFilter filter_of(const Call& call) {
 
 }  // namespace
 
-Answer get_jobs(Service& service, const Call& call) {
+Answer get_jobs(Site& site, const Call& call) {
   format(call, {"json"});
   const db::JobFilter filter = filter_of(call);
   const auto types = list(call, "type");
   const bool none =
       !types.empty() && std::find(types.begin(), types.end(), "process") == types.end();
   json jobs = json::array();
-  json links = json::array(
-      {{{"href", service.url + "/jobs"}, {"rel", "self"}, {"type", "application/json"}}});
-  const int total = none ? 0 : service.store.count_jobs(filter);
+  json links =
+      json::array({{{"href", site.url + "/jobs"}, {"rel", "self"}, {"type", "application/json"}}});
+  const int total = none ? 0 : site.service.store.count_jobs(filter);
   if (!none) {
-    for (const auto& job : service.store.jobs(filter))
-      jobs.push_back(status_info(job, service.url));
+    for (const auto& job : site.service.store.jobs(filter))
+      jobs.push_back(status_info(job, site.url));
   }
   if (filter.offset + filter.limit < total) {
-    links.push_back(
-        {{"href", with_offset(call, service.url + "/jobs", filter.offset + filter.limit)},
-         {"rel", "next"},
-         {"type", "application/json"}});
+    links.push_back({{"href", with_offset(call, site.url + "/jobs", filter.offset + filter.limit)},
+                     {"rel", "next"},
+                     {"type", "application/json"}});
   }
   return json_answer({{"jobs", jobs}, {"links", links}, {"numberMatched", total}});
 }
 
-Answer get_job(Service& service, const Call& call) {
+Answer get_job(Site& site, const Call& call) {
   format(call, {"json"});
-  return json_answer(status_info(job_or_problem(service.store, call.captured[0]), service.url));
+  return json_answer(status_info(job_or_problem(site.service.store, call.captured[0]), site.url));
 }
 
-Answer delete_job(Service& service, const Call& call) {
+Answer delete_job(Site& site, const Call& call) {
   const std::string& id = call.captured[0];
-  job_or_problem(service.store, id);
-  service.dispatcher.dismiss(id);
-  return json_answer(status_info(job_or_problem(service.store, id), service.url));
+  job_or_problem(site.service.store, id);
+  site.service.dispatcher.dismiss(id);
+  return json_answer(status_info(job_or_problem(site.service.store, id), site.url));
 }
 
-Answer post_retry(Service& service, const Call& call) {
-  return json_answer(status_info(retry(service, call.captured[0]), service.url));
+Answer post_retry(Site& site, const Call& call) {
+  return json_answer(status_info(retry(site.service, call.captured[0]), site.url));
 }
 
 }  // namespace leda::server

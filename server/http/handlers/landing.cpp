@@ -3,7 +3,7 @@
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/parameters.hpp"
 #include "server/http/openapi.hpp"
-#include "server/jobs/service.hpp"
+#include "server/http/site.hpp"
 
 namespace leda::server {
 namespace {
@@ -42,9 +42,9 @@ std::string html_page(const json& links) {
 
 }  // namespace
 
-Answer get_landing(Service& service, const Call& call) {
+Answer get_landing(Site& site, const Call& call) {
   const bool for_people = format(call, {"json", "html"}) == "html";
-  const json links = links_of(service.url);
+  const json links = links_of(site.url);
   if (for_people) {
     Answer answer;
     answer.type = "text/html; charset=utf-8";
@@ -56,7 +56,7 @@ Answer get_landing(Service& service, const Call& call) {
                       {"links", links}});
 }
 
-Answer get_conformance(Service& /*service*/, const Call& call) {
+Answer get_conformance(Site& /*site*/, const Call& call) {
   format(call, {"json"});
   json classes = json::array();
   for (const char* name :
@@ -71,9 +71,9 @@ Answer get_conformance(Service& /*service*/, const Call& call) {
   return json_answer({{"conformsTo", classes}});
 }
 
-Answer get_api(Service& service, const Call& call) {
+Answer get_api(Site& site, const Call& call) {
   format(call, {"json"});
-  Answer answer = json_answer(openapi_document(service.url, service.tokens.required()));
+  Answer answer = json_answer(openapi_document(site.url, site.tokens.required()));
   answer.type = "application/vnd.oai.openapi+json;version=3.0";
   return answer;
 }

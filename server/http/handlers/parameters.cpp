@@ -7,8 +7,8 @@
 #include "profiles/export_layers.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/header_list.hpp"
-#include "server/http/problem.hpp"
 #include "server/http/router.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {

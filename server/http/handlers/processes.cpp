@@ -7,8 +7,8 @@
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/job_document.hpp"
 #include "server/http/handlers/parameters.hpp"
-#include "server/http/problem.hpp"
-#include "server/jobs/service.hpp"
+#include "server/http/site.hpp"
+#include "server/operate/problem.hpp"
 #include "server/operate/version.hpp"
 
 namespace leda::server {
@@ -52,16 +52,16 @@ std::string idempotency_key(const Call& call) {
 
 }  // namespace
 
-Answer get_processes(Service& service, const Call& call) {
+Answer get_processes(Site& site, const Call& call) {
   format(call, {"json"});
   const auto all = std::span(processes());
   const auto limit = static_cast<std::size_t>(whole_number(call, "limit", 100, 1, 1000));
   const auto first = std::min(
       static_cast<std::size_t>(whole_number(call, "offset", 0, 0, 1'000'000'000)), all.size());
-  const std::string own = service.url + "/processes";
+  const std::string own = site.url + "/processes";
   json list = json::array();
   for (const Process& process : all.subspan(first, std::min(limit, all.size() - first))) {
-    list.push_back(summary_of(process, service.url));
+    list.push_back(summary_of(process, site.url));
   }
   json links = json::array({{{"href", own}, {"rel", "self"}, {"type", "application/json"}}});
   if (first + list.size() < all.size()) {
@@ -72,22 +72,23 @@ Answer get_processes(Service& service, const Call& call) {
   return json_answer({{"processes", list}, {"links", links}});
 }
 
-Answer get_process(Service& service, const Call& call) {
+Answer get_process(Site& site, const Call& call) {
   format(call, {"json"});
   const Process& process = process_or_problem(call.captured[0]);
-  json document = summary_of(process, service.url);
+  json document = summary_of(process, site.url);
   document.update(process.describe());
   return json_answer(document);
 }
 
-Answer post_execution(Service& service, const Call& call) {
+Answer post_execution(Site& site, const Call& call) {
   const Process& process = process_or_problem(call.captured[0]);
   const std::string key = idempotency_key(call);
-  const std::string request = call.read_body(service.limits.document_bytes);
-  if (execute_options_of(request).dry_run) return json_answer(dry_run(service, process, request));
-  const Submitted submitted = submit(service, process, request, key);
-  Answer answer = json_answer(status_info(submitted.job, service.url), 201);
-  answer.headers.emplace_back("Location", service.url + "/jobs/" + submitted.job.id);
+  const std::string request = call.read_body(site.limits.document_bytes);
+  if (execute_options_of(request).dry_run)
+    return json_answer(dry_run(site.service, process, request));
+  const Submitted submitted = submit(site.service, process, request, key);
+  Answer answer = json_answer(status_info(submitted.job, site.url), 201);
+  answer.headers.emplace_back("Location", site.url + "/jobs/" + submitted.job.id);
   answer.headers.emplace_back("Preference-Applied", "respond-async");
   return answer;
 }

@@ -8,8 +8,8 @@
 #include "server/documents/object_reader.hpp"
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/parameters.hpp"
-#include "server/http/problem.hpp"
-#include "server/jobs/service.hpp"
+#include "server/http/site.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {
@@ -92,25 +92,9 @@ class Upload {
   std::uint64_t bytes_ = 0;
 };
 
-/// One of the few registrations that may go on at once: each reads and writes a whole DEM.
-class RegistrationSlot {
- public:
-  explicit RegistrationSlot(Service& service) : service_(service) {
-    if (++service_.registrations <= static_cast<int>(service_.limits.registrations)) return;
-    --service_.registrations;
-    throw Problem(Failure::too_busy, "other DEMs are being registered: try again soon");
-  }
-  ~RegistrationSlot() { --service_.registrations; }
-  RegistrationSlot(const RegistrationSlot&) = delete;
-  RegistrationSlot& operator=(const RegistrationSlot&) = delete;
-
- private:
-  Service& service_;
-};
-
 }  // namespace
 
-Answer post_raster(Service& service, const Call& call) {
+Answer post_raster(Site& site, const Call& call) {
   RegisterOptions options;
   options.dem.epsg = whole_number(call, "epsg", 0, 1024, 999'999);
   options.dem.vertical_unit = call.parameter("vertical_unit").value_or("");
@@ -122,32 +106,35 @@ Answer post_raster(Service& service, const Call& call) {
   }
   const std::string name = call.parameter("name").value_or("");
   refuse_bad_raster_name(name);
-  const RegistrationSlot slot(service);
-  const Upload upload(call, service.data.uploads() / (random_hex(16) + ".upload"),
-                      service.limits.raster_bytes);
-  const auto raster = register_raster(service.data, service.store, upload.file(), name, options);
-  Answer answer = json_answer(document_of(raster, service.url), 201);
-  answer.headers.emplace_back("Location", service.url + "/rasters/" + raster.id);
+  const auto slot = site.registrations.take();  // each reads and writes a whole DEM
+  if (!slot) throw Problem(Failure::too_busy, "other DEMs are being registered: try again soon");
+  const Upload upload(call, site.service.data.uploads() / (random_hex(16) + ".upload"),
+                      site.limits.raster_bytes);
+  const auto raster =
+      register_raster(site.service.data, site.service.store, upload.file(), name, options);
+  Answer answer = json_answer(document_of(raster, site.url), 201);
+  answer.headers.emplace_back("Location", site.url + "/rasters/" + raster.id);
   return answer;
 }
 
-Answer get_rasters(Service& service, const Call& call) {
+Answer get_rasters(Site& site, const Call& call) {
   format(call, {"json"});
   json rasters = json::array();
-  for (const auto& raster : service.store.rasters()) {
-    rasters.push_back(document_of(raster, service.url));
+  for (const auto& raster : site.service.store.rasters()) {
+    rasters.push_back(document_of(raster, site.url));
   }
   return json_answer({{"rasters", rasters}});
 }
 
-Answer get_raster(Service& service, const Call& call) {
+Answer get_raster(Site& site, const Call& call) {
   format(call, {"json"});
-  return json_answer(document_of(raster_or_problem(service.store, call.captured[0]), service.url));
+  return json_answer(
+      document_of(raster_or_problem(site.service.store, call.captured[0]), site.url));
 }
 
-Answer patch_raster(Service& service, const Call& call) {
+Answer patch_raster(Site& site, const Call& call) {
   FaultList faults;
-  const auto parsed = parse_json(call.read_body(service.limits.document_bytes));
+  const auto parsed = parse_json(call.read_body(site.limits.document_bytes));
   std::string name;
   if (parsed) {
     ObjectReader reader(*parsed.value, "", faults);
@@ -158,19 +145,19 @@ Answer patch_raster(Service& service, const Call& call) {
   if (!found.empty()) {
     throw Problem(Failure::invalid_request, "the body must be {\"name\": \"...\"}", found);
   }
-  const auto raster = rename_raster(service.store, call.captured[0], name);
-  return json_answer(document_of(raster, service.url));
+  const auto raster = rename_raster(site.service.store, call.captured[0], name);
+  return json_answer(document_of(raster, site.url));
 }
 
-Answer delete_raster(Service& service, const Call& call) {
-  remove_raster(service.data, service.store, call.captured[0]);
+Answer delete_raster(Site& site, const Call& call) {
+  remove_raster(site.service.data, site.service.store, call.captured[0]);
   Answer answer;
   answer.status = 204;
   return answer;
 }
 
-Answer get_hillshade(Service& service, const Call& call) {
-  const auto raster = raster_or_problem(service.store, call.captured[0]);
+Answer get_hillshade(Site& site, const Call& call) {
+  const auto raster = raster_or_problem(site.service.store, call.captured[0]);
   // The id is a part of the file's hash; what counts as missing may be said anew.
   std::string tag = "\"" + raster.id;
   if (raster.undeclared_fill_m) tag += "-" + show(*raster.undeclared_fill_m);
@@ -179,12 +166,12 @@ Answer get_hillshade(Service& service, const Call& call) {
   Answer answer;
   answer.headers.emplace_back("ETag", tag);
   answer.type = "image/png";
-  answer.file = hillshade_file(service.data, raster.id);
+  answer.file = hillshade_file(site.service.data, raster.id);
   answer.headers.emplace_back("Cache-Control", "max-age=86400");
   if (!std::filesystem::exists(answer.file)) {
     profiles::DemOptions options;
     options.missing_m = raster.undeclared_fill_m;
-    const auto dem = profiles::Dem::open(service.data.root() / raster.file, options);
+    const auto dem = profiles::Dem::open(site.service.data.root() / raster.file, options);
     profiles::write_hillshade(dem, answer.file);
   }
   return answer;

@@ -6,13 +6,13 @@
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/parameters.hpp"
 #include "server/http/handlers/section_document.hpp"
-#include "server/http/problem.hpp"
 #include "server/http/router.hpp"
-#include "server/jobs/service.hpp"
+#include "server/http/site.hpp"
 #include "server/layers/compare_sections.hpp"
 #include "server/layers/exports.hpp"
 #include "server/layers/features.hpp"
 #include "server/layers/region_layers.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {
@@ -20,8 +20,8 @@ namespace {
 using nlohmann::json;
 
 /// @throws Problem where the job has no results, or none yet
-db::JobRecord finished_job(const Service& service, const std::string& id) {
-  auto job = job_or_problem(service.store, id);
+db::JobRecord finished_job(const Site& site, const std::string& id) {
+  auto job = job_or_problem(site.service.store, id);
   switch (job.state) {
     case db::JobState::accepted:
     case db::JobState::running:
@@ -55,12 +55,12 @@ db::PageFilter all_of(const db::JobRecord& job) {
   return filter;
 }
 
-json rows_of(Service& service, const db::JobRecord& job, const db::PageFilter& page) {
-  const db::Turns::Turn turn(service.pages);
+json rows_of(Site& site, const db::JobRecord& job, const db::PageFilter& page) {
+  const db::Turns::Turn turn(site.pages);
   json rows = json::array();
-  const std::string own = service.url + "/jobs/" + job.id + "/sections/";
-  const auto raster = service.store.raster(job.raster);
-  for (const auto& section : service.store.section_page(page)) {
+  const std::string own = site.url + "/jobs/" + job.id + "/sections/";
+  const auto raster = site.service.store.raster(job.raster);
+  for (const auto& section : site.service.store.section_page(page)) {
     json row = section_row(section);
     row["dem_sha256"] = raster ? json(raster->sha256) : json();
     row["links"] = json::array({{{"href", own + percent_encode(section.name)},
@@ -71,13 +71,13 @@ json rows_of(Service& service, const db::JobRecord& job, const db::PageFilter& p
   return rows;
 }
 
-Answer file_answer(Service& service, const Call& call, const db::JobRecord& job,
+Answer file_answer(Site& site, const Call& call, const db::JobRecord& job,
                    const std::string& wanted) {
   const auto kind = profiles::export_format_from(wanted).value();
   const std::string tag = tag_of(job, wanted);
   if (has_already(call, tag)) return not_modified(tag);
   Answer answer;
-  answer.file = export_of(service.data, service.store, job, kind);
+  answer.file = export_of(site.service.data, site.service.store, job, kind);
   answer.type = profiles::media_type(kind);
   answer.headers.emplace_back("ETag", tag);
   answer.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + job.id +
@@ -94,12 +94,12 @@ json wanted_of(json outputs, const ExecuteOptions& options) {
   return wanted;
 }
 
-json outputs_of(Service& service, const db::JobRecord& job) {
-  json outputs = {{"sections", rows_of(service, job, all_of(job))}};
-  if (epsg_of(service.store, job) != 0) {
+json outputs_of(Site& site, const db::JobRecord& job) {
+  json outputs = {{"sections", rows_of(site, job, all_of(job))}};
+  if (epsg_of(site.service.store, job) != 0) {
     for (const Collection zones : {Collection::release_zones, Collection::runout_zones}) {
       json features = json::array();
-      for_each_feature(service.store, zones, all_of(job),
+      for_each_feature(site.service.store, zones, all_of(job),
                        [&](json&& feature) { features.push_back(std::move(feature)); });
       outputs[to_string(zones)] = {{"type", "FeatureCollection"}, {"features", features}};
     }
@@ -109,22 +109,22 @@ json outputs_of(Service& service, const db::JobRecord& job) {
 
 }  // namespace
 
-Answer get_results(Service& service, const Call& call) {
-  const auto job = finished_job(service, call.captured[0]);
+Answer get_results(Site& site, const Call& call) {
+  const auto job = finished_job(site, call.captured[0]);
   const Process* process = find_process(job.process);
   const bool own_form = process != nullptr && process->results != nullptr;
   const std::string wanted = own_form ? format(call, {"json", "csv", "svg"})
                                       : format(call, {"json", "geojson", "gpkg", "shp", "fgb"});
-  if (!own_form && wanted != "json") return file_answer(service, call, job, wanted);
+  if (!own_form && wanted != "json") return file_answer(site, call, job, wanted);
   const std::string tag = tag_of(job, wanted);
   if (has_already(call, tag)) return not_modified(tag);
   Answer answer;
   if (own_form) {
-    answer.body = process->results(job, service.store.sections(job.id), wanted);
+    answer.body = process->results(job, site.service.store.sections(job.id), wanted);
   }
   if (wanted == "json") {
     const ExecuteOptions options = execute_options_of(job.request);
-    json outputs = own_form ? json::parse(answer.body) : outputs_of(service, job);
+    json outputs = own_form ? json::parse(answer.body) : outputs_of(site, job);
     answer = json_answer(wanted_of(std::move(outputs), options));
   }
   answer.type = media_type_of(wanted);
@@ -132,17 +132,17 @@ Answer get_results(Service& service, const Call& call) {
   return answer;
 }
 
-Answer get_sections(Service& service, const Call& call) {
+Answer get_sections(Site& site, const Call& call) {
   format(call, {"json"});
-  const auto job = job_or_problem(service.store, call.captured[0]);
+  const auto job = job_or_problem(site.service.store, call.captured[0]);
   db::PageFilter page;
   page.job = job.id;
   page.limit = whole_number(call, "limit", 10'000, 1, 10'000);
   page.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
-  const int total = service.store.count_sections(page);
-  json rows = rows_of(service, job, page);
+  const int total = site.service.store.count_sections(page);
+  json rows = rows_of(site, job, page);
   const int returned = static_cast<int>(rows.size());
-  const std::string own = service.url + "/jobs/" + job.id + "/sections";
+  const std::string own = site.url + "/jobs/" + job.id + "/sections";
   json links = json::array({{{"href", with_offset(call, own, page.offset)},
                              {"rel", "self"},
                              {"type", "application/json"}}});
@@ -160,38 +160,40 @@ Answer get_sections(Service& service, const Call& call) {
                       {"links", links}});
 }
 
-Answer get_section(Service& service, const Call& call) {
+Answer get_section(Site& site, const Call& call) {
   format(call, {"json"});
-  const auto found = sections_or_problem(service.store, call.captured[0], {call.captured[1]});
-  json document = section_detail(found.front(), service.data);
-  const auto raster = service.store.raster(job_or_problem(service.store, call.captured[0]).raster);
+  const auto found = sections_or_problem(site.service.store, call.captured[0], {call.captured[1]});
+  json document = section_detail(found.front(), site.service.data);
+  const auto raster =
+      site.service.store.raster(job_or_problem(site.service.store, call.captured[0]).raster);
   document["dem_sha256"] = raster ? json(raster->sha256) : json();
   return json_answer(document);
 }
 
-Answer get_section_log(Service& service, const Call& call) {
+Answer get_section_log(Site& site, const Call& call) {
   constexpr int most_bytes = 4 << 20;
   const int tail = whole_number(call, "tail", most_bytes, 1, most_bytes);
-  const auto found = sections_or_problem(service.store, call.captured[0], {call.captured[1]});
+  const auto found = sections_or_problem(site.service.store, call.captured[0], {call.captured[1]});
   const std::string& run = found.front().run;
-  const auto file = service.data.run(run) / "log.txt";
+  const auto file = site.service.data.run(run) / "log.txt";
   if (run.empty() || !std::filesystem::exists(file)) {
     throw Problem(Failure::no_such_resource, "no run of this section left a log");
   }
   Answer answer;
   answer.type = "text/plain; charset=utf-8";
-  answer.body = service.data.without_root(end_of_log(file, tail));
+  answer.body = site.service.data.without_root(end_of_log(file, tail));
   return answer;
 }
 
-Answer get_compare(Service& service, const Call& call) {
+Answer get_compare(Site& site, const Call& call) {
   const bool drawing = format(call, {"json", "svg"}) == "svg";
   const auto names = list(call, "sections");
   if (names.size() < 2 || names.size() > 20) {
     throw Problem(Failure::invalid_parameter,
                   "sections: give 2 to 20 names, for example sections=AA',BB'");
   }
-  const auto compared = as_compared(sections_or_problem(service.store, call.captured[0], names));
+  const auto compared =
+      as_compared(sections_or_problem(site.service.store, call.captured[0], names));
   if (!drawing) return json_answer(compare_json(compared));
   Answer answer;
   answer.type = "image/svg+xml";
@@ -199,9 +201,9 @@ Answer get_compare(Service& service, const Call& call) {
   return answer;
 }
 
-Answer get_export(Service& service, const Call& call) {
+Answer get_export(Site& site, const Call& call) {
   const auto wanted = format(call, {"gpkg", "geojson", "shp", "fgb"});
-  return file_answer(service, call, finished_job(service, call.captured[0]), wanted);
+  return file_answer(site, call, finished_job(site, call.captured[0]), wanted);
 }
 
 }  // namespace leda::server

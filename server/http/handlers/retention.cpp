@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "server/http/handlers/handlers.hpp"
-#include "server/http/problem.hpp"
-#include "server/jobs/service.hpp"
+#include "server/http/site.hpp"
 #include "server/operate/logging.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {
@@ -32,8 +32,9 @@ bool flag(const Call& call, const std::string& name) {
 
 }  // namespace
 
-Answer post_purge(Service& service, const Call& call) {
-  const Purged purged = purge(service.data, service.store, days_in(call), flag(call, "jobs"));
+Answer post_purge(Site& site, const Call& call) {
+  const Purged purged =
+      purge(site.service.data, site.service.store, days_in(call), flag(call, "jobs"));
   log_info("-", "purged jobs={} run_folders={} bytes={}", purged.jobs, purged.run_folders,
            purged.bytes);
   return json_answer(

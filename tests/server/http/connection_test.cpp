@@ -61,6 +61,10 @@ class ConnectionTest : public testing::Test {
   static ServiceOptions options() {
     ServiceOptions options;
     options.program = "/bin/true";
+    return options;
+  }
+  static SiteOptions limited() {
+    SiteOptions options;
     options.limits.header_bytes = 4096;
     options.limits.header_time = 400ms;
     options.limits.pause = 300ms;
@@ -77,22 +81,23 @@ class ConnectionTest : public testing::Test {
 
   tests::TemporaryFolder folder;
   Service service{folder.path(), options()};
-  HttpServer http{service, {"127.0.0.1", 0}};
+  Site site{service, limited()};
+  HttpServer http{site, {"127.0.0.1", 0}};
 };
 
 TEST_F(ConnectionTest, AHeaderThatIsTooLongIsBrokenOff) {
-  const Socket many(service.url);
+  const Socket many(site.url);
   std::string header = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n";
   for (int i = 0; i < 500; ++i) header += "X-" + std::to_string(i) + ": 0123456789\r\n";
   many.say(header);
   EXPECT_TRUE(starts(many.hear(), "HTTP/1.1 431 "));
-  const Socket endless(service.url);
+  const Socket endless(site.url);
   endless.say("GET /" + std::string(6000, 'a'));
   EXPECT_TRUE(starts(endless.hear(), "HTTP/1.1 431 "));
 }
 
 TEST_F(ConnectionTest, AHeaderThatTricklesIsBrokenOff) {
-  const Socket slow(service.url);
+  const Socket slow(site.url);
   const auto start = std::chrono::steady_clock::now();
   for (const char letter : std::string("GET /healthz HTTP/1.1")) {
     if (!slow.say(std::string(1, letter))) break;
@@ -103,7 +108,7 @@ TEST_F(ConnectionTest, AHeaderThatTricklesIsBrokenOff) {
 }
 
 TEST_F(ConnectionTest, ABodyThatNeverComesIsGivenUp) {
-  const Socket silent(service.url);
+  const Socket silent(site.url);
   silent.say(
       "POST /processes/simulate-section/execution HTTP/1.1\r\nHost: localhost\r\n"
       "Content-Length: 1000\r\n\r\n{");
@@ -111,7 +116,7 @@ TEST_F(ConnectionTest, ABodyThatNeverComesIsGivenUp) {
 }
 
 TEST_F(ConnectionTest, WhatIsLeftOfABodyIsNotTakenForARequest) {
-  const Socket pushing(service.url);
+  const Socket pushing(site.url);
   const std::string smuggled = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
   pushing.say("POST /nothing HTTP/1.1\r\nHost: localhost\r\nContent-Length: " +
               std::to_string(smuggled.size()) + "\r\n\r\n" + smuggled);
@@ -121,7 +126,7 @@ TEST_F(ConnectionTest, WhatIsLeftOfABodyIsNotTakenForARequest) {
 }
 
 TEST_F(ConnectionTest, ARefusedBodyIsNotTakenForARequestEither) {
-  const Socket pushing(service.url);
+  const Socket pushing(site.url);
   pushing.say(
       "POST /rasters?name=x HTTP/1.1\r\nHost: localhost\r\n"
       "Transfer-Encoding: chunked\r\n\r\n5\r\nhello\r\n0\r\n\r\n"
@@ -137,7 +142,7 @@ TEST_F(ConnectionTest, LengthsThatCanBeReadInTwoWaysAreRefused) {
            {"Transfer-Encoding: \r\nTransfer-Encoding: chunked", "411"},
            {"Content-Length: 3\r\nContent-Length: 40", "400"},
            {"Content-Length: -1", "400"}}) {
-    const Socket pushing(service.url);
+    const Socket pushing(site.url);
     pushing.say(std::string("POST /rasters?name=x HTTP/1.1\r\nHost: localhost\r\n")
                     .append(header)
                     .append(end));
@@ -145,7 +150,7 @@ TEST_F(ConnectionTest, LengthsThatCanBeReadInTwoWaysAreRefused) {
     EXPECT_TRUE(starts(heard, "HTTP/1.1 " + status)) << header << "\n" << heard;
     EXPECT_EQ(heard.find("HTTP/1.1", 8), std::string::npos) << header << "\n" << heard;
   }
-  const Socket with_body(service.url);
+  const Socket with_body(site.url);
   with_body.say("GET /healthz HTTP/1.1\r\nHost: localhost\r\nContent-Length: 45" + end);
   const std::string heard = with_body.hear();
   EXPECT_TRUE(starts(heard, "HTTP/1.1 200 ")) << heard;
@@ -155,7 +160,7 @@ TEST_F(ConnectionTest, LengthsThatCanBeReadInTwoWaysAreRefused) {
 TEST_F(ConnectionTest, OneConnectionTooManyIsTurnedAway) {
   std::vector<std::unique_ptr<Socket>> idle;
   idle.reserve(60);
-  for (int i = 0; i < 60; ++i) idle.push_back(std::make_unique<Socket>(service.url));
+  for (int i = 0; i < 60; ++i) idle.push_back(std::make_unique<Socket>(site.url));
   int turned_away = 0;
   for (const auto& socket : idle) {
     ASSERT_TRUE(socket->connected());
@@ -164,16 +169,17 @@ TEST_F(ConnectionTest, OneConnectionTooManyIsTurnedAway) {
   EXPECT_GE(turned_away, 60 - 40 - 1);
   idle.clear();
   std::this_thread::sleep_for(1500ms);
-  const Socket later(service.url);
+  const Socket later(site.url);
   later.say("GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
   EXPECT_TRUE(starts(later.hear(), "HTTP/1.1 200 "));
 }
 
 TEST_F(ConnectionTest, TwoServersDoNotShareAPort) {
-  const std::string port = service.url.substr(service.url.rfind(':') + 1);
+  const std::string port = site.url.substr(site.url.rfind(':') + 1);
   tests::TemporaryFolder other_folder;
   Service other{other_folder.path(), options()};
-  EXPECT_THROW((HttpServer{other, {"127.0.0.1", std::stoi(port)}}), ListenError);
+  Site other_site{other};
+  EXPECT_THROW((HttpServer{other_site, {"127.0.0.1", std::stoi(port)}}), ListenError);
 }
 
 }  // namespace

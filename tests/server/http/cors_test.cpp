@@ -34,8 +34,10 @@ class CorsOverHttp : public testing::Test {
   const std::string maps = "https://maps.example.org";
   tests::TemporaryFolder folder;
   Service service{folder.path(), options()};
-  HttpServer http{service, {"127.0.0.1", 0}, AllowedOrigins({maps})};
-  httplib::Client client{service.url};
+  Site site{service,
+            {.limits = {}, .tokens = {}, .origins = AllowedOrigins({maps}), .public_url = {}}};
+  HttpServer http{site, {"127.0.0.1", 0}};
+  httplib::Client client{site.url};
 };
 
 TEST_F(CorsOverHttp, ItsPagesMayReadAnswersAndProblems) {

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "server/http/problem.hpp"
+#include "server/http/problem_answer.hpp"
 #include "tests/server/run_fixture.hpp"
 #include "tests/server/temporary_folder.hpp"
 

@@ -50,8 +50,9 @@ class HttpServerTest : public testing::Test {
 
   tests::TemporaryFolder folder;
   Service service{folder.path(), options()};
-  HttpServer http{service, {"127.0.0.1", 0}};
-  httplib::Client client{service.url};
+  Site site{service};
+  HttpServer http{site, {"127.0.0.1", 0}};
+  httplib::Client client{site.url};
 };
 
 }  // namespace leda::server

@@ -54,7 +54,7 @@ TEST_F(HttpServerTest, AFormIsRefused) {
 TEST_F(HttpServerTest, OtherSitesMayNotSteerIt) {
   expect_problem(client.Get("/jobs", {{"Origin", "https://example.org"}}), 403, "Origin");
   expect_problem(client.Get("/jobs", {{"Host", "rebound.example.org"}}), 403, "Host");
-  EXPECT_EQ(client.Get("/jobs", {{"Origin", service.url}})->status, 200);
+  EXPECT_EQ(client.Get("/jobs", {{"Origin", site.url}})->status, 200);
 }
 
 TEST_F(HttpServerTest, ADocumentThatIsTooLargeIsRefused) {
@@ -86,25 +86,25 @@ TEST_F(HttpServerTest, AGzipBombIsNoLargerThanItsLimit) {
 }
 
 TEST_F(HttpServerTest, EventStreamsLeaveRoomForOthers) {
-  ServiceOptions few = options();
+  SiteOptions few;
   few.limits.streams = 2;
-  few.program = "/bin/sleep";  // never gives a result while the test looks
   const tests::TemporaryFolder own_folder;
-  Service own{own_folder.path(), few};
-  HttpServer own_http{own, {"127.0.0.1", 0}};
+  Service own{own_folder.path(), options()};
+  Site own_site{own, few};
+  HttpServer own_http{own_site, {"127.0.0.1", 0}};
   db::JobRecord job;
   job.id = "open";
   job.process = "simulate-section";
   job.request = tests::simulate_request();
   own.store.add_job(job);  // the dispatcher is not told: it stays accepted
   const auto follow = [&](std::atomic<bool>& stop) {
-    httplib::Client other(own.url);
+    httplib::Client other(own_site.url);
     other.Get("/jobs/open/events", [&](const char*, std::size_t) { return !stop; });
   };
   std::atomic<bool> stop = false;
   std::thread first([&] { follow(stop); }), second([&] { follow(stop); });
-  while (own.streams < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  httplib::Client other(own.url);
+  while (own_site.streams.taken() < 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  httplib::Client other(own_site.url);
   const auto third = other.Get("/jobs/open/events");
   expect_problem(third, 503, "a third stream");
   EXPECT_FALSE(third->get_header_value("Retry-After").empty());
@@ -114,10 +114,10 @@ TEST_F(HttpServerTest, EventStreamsLeaveRoomForOthers) {
   second.join();
   // A client may see the end a moment before the server has put the stream away.
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (own.streams > 0 && std::chrono::steady_clock::now() < until) {
+  while (own_site.streams.taken() > 0 && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  EXPECT_EQ(own.streams, 0);
+  EXPECT_EQ(own_site.streams.taken(), 0);
 }
 
 TEST_F(HttpServerTest, AFullQueueSaysWhenToComeAgain) {
@@ -125,12 +125,13 @@ TEST_F(HttpServerTest, AFullQueueSaysWhenToComeAgain) {
   few.limits.unfinished_jobs = 1;
   const tests::TemporaryFolder own_folder;
   Service own{own_folder.path(), few};
-  HttpServer own_http{own, {"127.0.0.1", 0}};
+  Site own_site{own};
+  HttpServer own_http{own_site, {"127.0.0.1", 0}};
   db::JobRecord job;
   job.id = "open";
   job.process = "simulate-section";
   own.store.add_job(job);
-  httplib::Client other(own.url);
+  httplib::Client other(own_site.url);
   const auto answer = other.Post("/processes/simulate-section/execution", tests::simulate_request(),
                                  "application/json");
   expect_problem(answer, 429, "full queue");
@@ -142,9 +143,11 @@ TEST_F(HttpServerTest, AJobOfTooManyParticlesIsRefused) {
   few.limits.particles = 500;
   const tests::TemporaryFolder own_folder;
   Service own{own_folder.path(), few};
-  HttpServer own_http{own, {"127.0.0.1", 0}};
-  const auto answer = httplib::Client(own.url).Post("/processes/simulate-section/execution",
-                                                    tests::simulate_request(), "application/json");
+  Site own_site{own};
+  HttpServer own_http{own_site, {"127.0.0.1", 0}};
+  const auto answer = httplib::Client(own_site.url)
+                          .Post("/processes/simulate-section/execution", tests::simulate_request(),
+                                "application/json");
   expect_problem(answer, 400, "580 particles");
   EXPECT_EQ(own.store.count_jobs({}), 0);
 }

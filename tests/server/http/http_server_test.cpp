@@ -33,7 +33,7 @@ TEST_F(HttpServerTest, TheDataLinkIsThePathThatClientsBuildOn) {
   for (const auto& link : landing["links"]) {
     if (link["rel"] == "data") data = link["href"];
   }
-  EXPECT_EQ(data, service.url + "/collections");
+  EXPECT_EQ(data, site.url + "/collections");
   const json collections = ok("/collections");
   for (const auto& collection : collections["collections"]) {
     const std::string own = "/collections/" + collection["id"].get<std::string>();
@@ -42,7 +42,7 @@ TEST_F(HttpServerTest, TheDataLinkIsThePathThatClientsBuildOn) {
     for (const auto& link : collection["links"]) {
       if (link["rel"] == "items") items.insert(link["href"].get<std::string>());
     }
-    EXPECT_TRUE(items.contains(service.url + own + "/items")) << collection.dump(2);
+    EXPECT_TRUE(items.contains(site.url + own + "/items")) << collection.dump(2);
     EXPECT_EQ(ok(own + "/items")["type"], "FeatureCollection");
   }
 }
@@ -92,7 +92,7 @@ TEST_F(HttpServerTest, TheInterfaceListsEveryPath) {
             "application/vnd.oai.openapi+json;version=3.0");
   const json api = json::parse(answer->body);
   EXPECT_EQ(api["openapi"], "3.0.3");
-  EXPECT_EQ(api["servers"][0]["url"], service.url);
+  EXPECT_EQ(api["servers"][0]["url"], site.url);
   EXPECT_TRUE(api["paths"]["/jobs/{jobID}"].contains("delete"));
   EXPECT_EQ(api["paths"]["/jobs/{jobID}"]["get"]["parameters"][0]["name"], "jobID");
   EXPECT_TRUE(api["paths"]["/rasters"]["post"].contains("requestBody"));
@@ -123,7 +123,7 @@ TEST_F(HttpServerTest, AJobIsCommittedBeforeTheReply) {
   ASSERT_EQ(answer->status, 201) << answer->body;
   const json status = json::parse(answer->body);
   const std::string id = status["jobID"];
-  EXPECT_EQ(answer->get_header_value("Location"), service.url + "/jobs/" + id);
+  EXPECT_EQ(answer->get_header_value("Location"), site.url + "/jobs/" + id);
   EXPECT_EQ(status["type"], "process");
   EXPECT_EQ(status["processID"], "simulate-section");
   EXPECT_EQ(ok("/jobs/" + id)["jobID"], id);
@@ -148,7 +148,7 @@ TEST_F(HttpServerTest, JobsArePagedAndFiltered) {
     if (link["rel"] == "next") next = link["href"];
   }
   ASSERT_FALSE(next.empty());
-  const json second = ok(next.substr(service.url.size()));
+  const json second = ok(next.substr(site.url.size()));
   EXPECT_EQ(second["jobs"].size(), 1U);
   EXPECT_EQ(ok("/jobs?processID=map-region")["numberMatched"], 0);
   EXPECT_EQ(ok("/jobs?type=other")["numberMatched"], 0);

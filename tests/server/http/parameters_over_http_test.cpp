@@ -112,7 +112,7 @@ TEST_F(Parameterized, ProcessesComeInPages) {
     for (const auto& process : page["processes"]) seen.push_back(process["id"]);
     path.clear();
     for (const auto& link : page["links"]) {
-      if (link["rel"] == "next") path = link["href"].get<std::string>().substr(service.url.size());
+      if (link["rel"] == "next") path = link["href"].get<std::string>().substr(site.url.size());
     }
     ASSERT_LE(seen.size(), processes().size());
   }

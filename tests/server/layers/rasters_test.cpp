@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "server/http/problem.hpp"
+#include "server/operate/problem.hpp"
 #include "tests/server/temporary_folder.hpp"
 
 namespace leda::server {

@@ -1,4 +1,4 @@
-#include "server/http/problem.hpp"
+#include "server/http/problem_answer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +34,13 @@ TEST(Problem, SaysWhenToComeBack) {
   EXPECT_EQ(answer.status, 503);
   ASSERT_EQ(answer.headers.size(), 1U);
   EXPECT_EQ(answer.headers[0].first, "Retry-After");
+}
+
+TEST(Problem, WhatIsOursIsAServersError) {
+  for (auto failure = Failure::invalid_request; failure <= Failure::internal;
+       failure = static_cast<Failure>(static_cast<int>(failure) + 1)) {
+    EXPECT_EQ(is_ours(failure), status_of(failure) >= 500) << status_of(failure);
+  }
 }
 
 TEST(Problem, TextThatIsNotUtf8DoesNotBreakTheAnswer) {

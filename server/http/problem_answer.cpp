@@ -1,4 +1,4 @@
-#include "server/http/problem.hpp"
+#include "server/http/problem_answer.hpp"
 
 #include <array>
 #include <nlohmann/json.hpp>

@@ -1,11 +1,10 @@
 #pragma once
-// The one table from a failure to its HTTP answer (RFC 9457, application/problem+json).
+// Why a request cannot be done, for whoever asked: over HTTP or on the command line.
 
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "server/http/answer.hpp"
 #include "solver/section/validate.hpp"
 
 namespace leda::server {
@@ -36,7 +35,13 @@ enum class Failure {
   internal
 };
 
-/// Thrown by handlers; ends the request and nothing else.
+/// Whether the server or the job failed, and not the request.
+constexpr bool is_ours(Failure failure) {
+  return failure == Failure::too_busy || failure == Failure::job_failed ||
+         failure == Failure::internal;
+}
+
+/// Ends the request and nothing else.
 class Problem : public std::runtime_error {
  public:
   Problem(Failure kind, const std::string& detail, std::vector<Fault> faults_found = {})
@@ -44,11 +49,5 @@ class Problem : public std::runtime_error {
   Failure failure;
   std::vector<Fault> faults;  ///< each with the JSON pointer to what is wrong
 };
-
-/// HTTP status of a failure.
-int status_of(Failure failure);
-
-/// @param instance the path that was asked for
-Answer to_answer(const Problem& problem, const std::string& instance);
 
 }  // namespace leda::server

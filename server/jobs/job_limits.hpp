@@ -1,0 +1,14 @@
+#pragma once
+// What one job, and all of them together, may take.
+
+#include <cstddef>
+
+namespace leda::server {
+
+struct JobLimits {
+  std::size_t unfinished_jobs = 200;
+  std::size_t sections = 20'000;  ///< of a job
+  double particles = 5e9;         ///< of all runs of a job together
+};
+
+}  // namespace leda::server
