@@ -15,6 +15,16 @@ namespace {
 
 using nlohmann::json;
 
+/// `layers`, or `columns` in their place.
+void read_soil_along(ObjectReader& reader, Section& section, FaultList& faults) {
+  const json* columns = reader.find("columns");
+  if (columns) section.columns = read_columns(*columns, reader.at("columns"), faults);
+  const json* layers = columns ? reader.find("layers") : reader.require("layers");
+  if (!layers) return;
+  section.layers = read_layers(*layers, reader.at("layers"), faults);
+  if (columns) faults.add(reader.at("columns"), "stands beside layers: give one of the two");
+}
+
 CaseFile read_members(ObjectReader& reader, std::set<std::string>& derived, FaultList& faults) {
   CaseFile out;
   Section& section = out.section;
@@ -26,9 +36,7 @@ CaseFile read_members(ObjectReader& reader, std::set<std::string>& derived, Faul
   if (const json* v = reader.find("water_table")) {
     section.water_table = read_water_table(*v, reader.at("water_table"), faults);
   }
-  if (const json* v = reader.require("layers")) {
-    section.layers = read_layers(*v, reader.at("layers"), faults);
-  }
+  read_soil_along(reader, section, faults);
   if (const json* v = reader.require("materials")) {
     ReadMaterials read = read_materials(*v, reader.at("materials"), faults);
     section.materials = std::move(read.materials);

@@ -49,6 +49,12 @@ json to_document(const Layer& layer) {
   return out;
 }
 
+json to_document(const std::vector<Layer>& layers) {
+  json out = json::array();
+  for (const Layer& layer : layers) out.push_back(to_document(layer));
+  return out;
+}
+
 }  // namespace
 
 json to_document(const CaseFile& case_file) {
@@ -56,14 +62,17 @@ json to_document(const CaseFile& case_file) {
   json out{{"name", section.name},
            {"ground", to_document(section.ground)},
            {"base_m", section.base_m},
-           {"layers", json::array()},
            {"materials", json::object()}};
   if (section.water_table) {
     const WaterTable& water = *section.water_table;
     out["water_table"] =
         water.depth_m ? json{{"depth_m", *water.depth_m}} : json{{"line", to_document(water.line)}};
   }
-  for (const Layer& layer : section.layers) out["layers"].push_back(to_document(layer));
+  if (section.columns.empty()) out["layers"] = to_document(section.layers);
+  for (const SoilColumn& column : section.columns) {
+    out["columns"].push_back(
+        {{"from_m", column.from_m}, {"to_m", column.to_m}, {"layers", to_document(column.layers)}});
+  }
   for (const auto& [name, m] : section.materials) out["materials"][name] = to_document(m);
   if (section.crest) out["crest_m"] = {section.crest->x, section.crest->z};
   if (section.toe) out["toe_m"] = {section.toe->x, section.toe->z};

@@ -29,12 +29,8 @@ void refuse_section_lines(const SoilModel& model, const std::string& at, FaultLi
 std::vector<Fault> meaning_of(const SoilModel& model, const std::string& at,
                               const std::set<std::string>& derived) {
   FaultList list;
-  Section layers_alone;
-  layers_alone.layers = model.layers;
-  layers_alone.materials = model.materials;
-  check_layers(layers_alone, list);
+  check_layers(model.layers, model.materials, at + "/layers", list);
   std::vector<Fault> found = list.take();
-  for (Fault& f : found) f.pointer.insert(0, at);
   for (Fault& f : validate_materials(model.materials, at + "/materials")) {
     if (!derived.contains(f.pointer)) found.push_back(std::move(f));
   }

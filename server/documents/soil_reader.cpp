@@ -191,6 +191,26 @@ std::vector<Layer> read_layers(const json& value, const std::string& at, FaultLi
   return layers;
 }
 
+std::vector<SoilColumn> read_columns(const json& value, const std::string& at, FaultList& faults) {
+  std::vector<SoilColumn> columns;
+  if (!value.is_array() || value.empty()) {
+    faults.add(at, (value.is_array() ? "is an empty list" : "is " + kind_of(value)) +
+                       std::string(", must be a list of columns, left to right"));
+    return columns;
+  }
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    ObjectReader reader(value[i], fmt::format("{}/{}", at, i), faults);
+    SoilColumn& column = columns.emplace_back();
+    column.from_m = reader.number("from_m");
+    column.to_m = reader.number("to_m");
+    if (const json* v = reader.require("layers")) {
+      column.layers = read_layers(*v, reader.at("layers"), faults);
+    }
+    reader.refuse_unknown();
+  }
+  return columns;
+}
+
 WaterTable read_water_table(const json& value, const std::string& at, FaultList& faults) {
   WaterTable water;
   ObjectReader reader(value, at, faults);

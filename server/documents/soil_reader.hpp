@@ -25,6 +25,10 @@ ReadMaterials read_materials(const nlohmann::json& value, const std::string& at,
 std::vector<Layer> read_layers(const nlohmann::json& value, const std::string& at,
                                FaultList& faults);
 
+/// Columns of a case file, each with its layers.
+std::vector<SoilColumn> read_columns(const nlohmann::json& value, const std::string& at,
+                                     FaultList& faults);
+
 WaterTable read_water_table(const nlohmann::json& value, const std::string& at, FaultList& faults);
 
 }  // namespace leda::server

@@ -188,7 +188,8 @@ class Region final : public Work {
     if (!built.faults.empty()) return built.faults;
     auto faults = validate(built.section, request_.settings);
     for (auto& fault : faults) {
-      fault.pointer = case_pointer(document_, fault.pointer, built.soil_model);
+      const auto origin = profiles::origin_of(built, fault.pointer);
+      fault.pointer = case_pointer(document_, origin.pointer, origin.model);
     }
     if (faults.empty()) {
       add_new(warnings, built.warnings);

@@ -35,10 +35,12 @@ double wave_speed(const Material& m) {
 RunSize run_size(const Section& section, const RunSettings& settings) {
   const double h = settings.resolution.cell_m;
   double fastest = 0;
-  for (const auto& layer : section.layers) {
-    const auto material = section.materials.find(layer.material);
-    if (material != section.materials.end()) {
-      fastest = std::max(fastest, wave_speed(material->second));
+  for (std::size_t list = 0; list < layer_lists(section); ++list) {
+    for (const Layer& layer : layers_of(section, list)) {
+      const auto material = section.materials.find(layer.material);
+      if (material != section.materials.end()) {
+        fastest = std::max(fastest, wave_speed(material->second));
+      }
     }
   }
   RunSize size;

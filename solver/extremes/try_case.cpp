@@ -18,7 +18,7 @@ constexpr double most_mass_error = 1e-6;  // of single precision; the reference 
 
 // gamma H / s_u of the uppermost layer's clay.
 double stability_number(const Section& section) {
-  const Material& clay = section.materials.at(section.layers.front().material);
+  const Material& clay = section.materials.at(layers_of(section, 0).front().material);
   const auto bank = find_crest_and_toe(section.ground);
   const double height = bank ? bank->crest.z - bank->toe.z : 0;
   return clay.unit_weight * height / clay.peak_strength.largest();

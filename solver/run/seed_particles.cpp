@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace leda::solver {
@@ -10,20 +11,23 @@ namespace {
 
 constexpr double jitter_m = 1e-6;
 
-std::vector<const Material*> layer_materials(const Section& section) {
-  std::vector<const Material*> materials;
-  for (const Layer& layer : section.layers)
-    materials.push_back(&section.materials.at(layer.material));
-  return materials;
-}
+/// A material and its index among those of the section.
+struct Named {
+  const Material* material;
+  std::size_t index;
+};
 
-std::vector<std::size_t> material_indices(const Section& section) {
-  std::vector<std::size_t> indices;
-  for (const Layer& layer : section.layers) {
-    const auto at = section.materials.find(layer.material);
-    indices.push_back(static_cast<std::size_t>(std::distance(section.materials.begin(), at)));
+/// By the place of a layer in memory: names are looked up once, not for each particle.
+std::map<const Layer*, Named> materials_of_layers(const Section& section) {
+  std::map<const Layer*, Named> named;
+  for (std::size_t list = 0; list < layer_lists(section); ++list) {
+    for (const Layer& layer : layers_of(section, list)) {
+      const auto at = section.materials.find(layer.material);
+      const auto index = std::distance(section.materials.begin(), at);
+      named[&layer] = {&at->second, static_cast<std::size_t>(index)};
+    }
   }
-  return indices;
+  return named;
 }
 
 double highest(const Polyline& line) {
@@ -37,11 +41,10 @@ double headroom(double height, double h) { return std::max(6 * h, height); }
 
 double overburden(const Section& section, Point p) {
   double top = elevation_at(section.ground, p.x), weight = 0;
-  for (std::size_t i = 0; i < section.layers.size() && top > p.z; ++i) {
-    const double bottom =
-        i + 1 == section.layers.size() ? section.base_m : layer_bottom(section, i, p.x);
-    const double to = std::max(std::min(bottom, top), p.z);
-    weight += section.materials.at(section.layers[i].material).unit_weight * (top - to);
+  for (const Layer& layer : layers_at(section, p.x)) {
+    if (top <= p.z) break;
+    const double to = std::max(std::min(layer_bottom(section, layer, p.x), top), p.z);
+    weight += section.materials.at(layer.material).unit_weight * (top - to);
     top = to;
   }
   return weight;
@@ -61,8 +64,7 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
 
   const auto cells_x = static_cast<std::size_t>(std::ceil(length / h - 1e-9));
   const auto cells_z = static_cast<std::size_t>(std::ceil(height / h - 1e-9));
-  const auto materials = layer_materials(section);
-  const auto indices = material_indices(section);
+  const auto materials = materials_of_layers(section);
   LawTableBuilder laws(section, h);
   std::mt19937_64 random(resolution.seed);
   const std::size_t most = cells_x * cells_z * per_side * per_side;
@@ -75,8 +77,8 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
       const double z = (static_cast<double>(k) + 0.5) * seeded.spacing;
       if (z >= ground) break;
       const Point at{x + seeded.origin_x, z + seeded.origin_z};
-      const std::size_t layer = layer_at(section, at);
-      const Material& m = *materials[layer];
+      const Named& named = materials.at(&layer_at(section, at));
+      const Material& m = *named.material;
       const double vertical = overburden(section, at);
       const double u = pore_pressure(section, at);
       const double horizontal = m.k0 * (vertical - u) + u;
@@ -92,7 +94,7 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
       p.szz = -vertical;
       p.mass = m.unit_weight / gravity * volume;
       p.volume = volume;
-      p.law = laws.row(indices[layer], ground - z, at.z);
+      p.law = laws.row(named.index, ground - z, at.z);
       p.id = static_cast<std::int32_t>(seeded.particles.size());
       seeded.particles.push_back(p);
       seeded.start_x.push_back(static_cast<float>(p.x));

@@ -33,10 +33,13 @@ double lowest(const TrialSurface& s) {
 
 /// Highest elevation that the bottom of a stratum reaches; an arc above it never meets it.
 double highest_bottom(const SlopeModel& model, std::size_t stratum) {
+  std::vector<double> places = model.steps;
+  for (const Point& p : model.reference) places.push_back(p.x);
+  std::ranges::sort(places);
   Column column(model);
   double highest = model.base;
-  for (const Point& p : model.reference) {
-    column.move_to(p.x);
+  for (const double x : places) {
+    column.move_to(x);
     highest = std::max(highest, column.bottom(stratum));
   }
   return highest;
@@ -67,16 +70,16 @@ std::vector<FoundSurface> surface_grid(const SlopeModel& model, const GroundPath
   const auto [low, high] = std::ranges::minmax(model.ground, {}, &Point::z);
   const double least_fall = least_fall_share * (high.z - low.z);
   std::vector<double> tops;
-  for (std::size_t i = 0; i < model.strata.size(); ++i) tops.push_back(highest_bottom(model, i));
+  for (std::size_t i = 0; i < model.most_strata; ++i) tops.push_back(highest_bottom(model, i));
   std::vector<FoundSurface> all;
   for (std::size_t i = 0; i < stations.size(); ++i) {
     for (std::size_t j = i + 1; j < stations.size(); ++j) {
       if (std::abs(path.at(stations[i]).z - path.at(stations[j]).z) < least_fall) continue;
       for (const double bend : bends) {
-        for (std::size_t floor = 0; floor < model.strata.size(); ++floor) {
+        for (std::size_t floor = 0; floor < model.most_strata; ++floor) {
           const SurfaceCoordinates at{stations[i], stations[j], bend, floor};
           const TrialSurface surface = surface_of(path, at);
-          if (floor + 1 < model.strata.size() && lowest(surface) >= tops[floor]) continue;
+          if (floor + 1 < model.most_strata && lowest(surface) >= tops[floor]) continue;
           const double factor = factor_of(model, surface, Method::bishop, coarse_slices);
           if (factor < none) all.push_back({at, factor});
         }

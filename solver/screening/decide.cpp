@@ -24,9 +24,12 @@ double loss(const ScreeningMargins& margins) {
 }
 
 bool softens_somewhere(const Section& section) {
-  return std::ranges::any_of(section.layers, [&](const Layer& layer) {
-    return section.materials.at(layer.material).softening.has_value();
-  });
+  for (std::size_t list = 0; list < layer_lists(section); ++list) {
+    for (const Layer& layer : layers_of(section, list)) {
+      if (section.materials.at(layer.material).softening) return true;
+    }
+  }
+  return false;
 }
 
 /// Height of the cut that the simulation would make if the section stood.

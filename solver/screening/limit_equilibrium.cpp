@@ -14,9 +14,11 @@ constexpr std::size_t starts_of_other_methods = 3;
 
 /// Empty where every material has one.
 std::string missing_drained_strength(const Section& section) {
-  for (const Layer& layer : section.layers) {
-    if (!section.materials.at(layer.material).drained) {
-      return "material " + layer.material + " has no drained strength";
+  for (std::size_t list = 0; list < layer_lists(section); ++list) {
+    for (const Layer& layer : layers_of(section, list)) {
+      if (!section.materials.at(layer.material).drained) {
+        return "material " + layer.material + " has no drained strength";
+      }
     }
   }
   return {};

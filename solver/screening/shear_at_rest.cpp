@@ -13,10 +13,11 @@ constexpr int depths = 24;
 double total_stress(const Section& section, double x, double ground, double z) {
   double stress = 0;
   double top = ground;
-  for (std::size_t i = 0; i < section.layers.size() && top > z; ++i) {
-    const double bottom = std::max(z, layer_bottom(section, i, x));
+  for (const Layer& layer : layers_at(section, x)) {
+    if (top <= z) break;
+    const double bottom = std::max(z, layer_bottom(section, layer, x));
     if (bottom >= top) continue;
-    stress += section.materials.at(section.layers[i].material).unit_weight * (top - bottom);
+    stress += section.materials.at(layer.material).unit_weight * (top - bottom);
     top = bottom;
   }
   return stress;
@@ -28,8 +29,7 @@ double least_in_column(const Section& section, double x, double lower_water_m) {
   const double ground = elevation_at(section.ground, x);
   for (int i = 1; i <= depths; ++i) {
     const double z = ground - (ground - section.base_m) * i / depths;
-    const Material& m =
-        section.materials.at(section.layers[layer_at(section, {x, z + 1e-6})].material);
+    const Material& m = section.materials.at(layer_at(section, {x, z + 1e-6}).material);
     if (!m.softening) continue;
     const double pore = section.water_table ? pore_pressure(section, {x, z + lower_water_m}) : 0.0;
     const double shear =

@@ -29,7 +29,7 @@ std::map<std::string, Share> probe(const Section& section, double x, double top,
   const double step = (top - bottom) / probes;
   for (int i = 0; i < probes; ++i) {
     const double z = top - (i + 0.5) * step;
-    const std::string& name = section.layers[layer_at(section, {x, z})].material;
+    const std::string& name = layer_at(section, {x, z}).material;
     Share& share = shares[name];
     share.metres += step;
     share.strength_sum += section.materials.at(name).peak_strength.at(ground - z, z);

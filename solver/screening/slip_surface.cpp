@@ -39,7 +39,7 @@ BaseEnd base_end(const SlopeModel& model, const TrialSurface& surface, const Arc
                  Column& column, double x) {
   const double z = arc_elevation(arc, x);
   double floor = model.base;
-  if (surface.floor + 1 < model.strata.size()) {
+  if (surface.floor + 1 < model.most_strata) {
     column.move_to(x);
     floor = column.bottom(surface.floor);
   }

@@ -8,8 +8,7 @@
 namespace leda::solver {
 namespace {
 
-Stratum resolve(const Section& section, std::size_t index, bool drained) {
-  const Layer& layer = section.layers[index];
+Stratum resolve(const Section& section, const Layer& layer, bool is_last, bool drained) {
   const Material& material = section.materials.at(layer.material);
   Stratum s;
   if (layer.thickness_m) {
@@ -20,14 +19,14 @@ Stratum resolve(const Section& section, std::size_t index, bool drained) {
     s.line = layer.bottom;
   } else {
     // Elevations, and depths below the toe, are the same at every x.
-    s.value = layer_bottom(section, index, 0);
+    s.value = section.base_m;
     if (layer.bottom_m) s.value = *layer.bottom_m;
     if (layer.bottom_below_toe_m) {
       const double highest = std::ranges::max(section.ground, {}, &Point::z).z;
       const auto top = std::ranges::find(section.ground, highest, &Point::z);
-      s.value = layer_bottom(section, index, top->x);
+      s.value = layer_bottom(section, layer, top->x);
     }
-    if (index + 1 == section.layers.size()) s.value = section.base_m;
+    if (is_last) s.value = section.base_m;
   }
   s.unit_weight = material.unit_weight;
   s.undrained = &material.peak_strength;
@@ -45,8 +44,16 @@ SlopeModel::SlopeModel(const Section& section, Polyline present, Drainage draina
       reference(section.ground),
       base(section.base_m),
       drained(drainage == Drainage::drained) {
-  for (std::size_t i = 0; i < section.layers.size(); ++i) {
-    strata.push_back(resolve(section, i, drained));
+  for (std::size_t list = 0; list < layer_lists(section); ++list) {
+    const std::vector<Layer>& layers = layers_of(section, list);
+    StrataFrom column;
+    if (!section.columns.empty()) column.from = section.columns[list].from_m;
+    for (const Layer& layer : layers) {
+      column.strata.push_back(resolve(section, layer, &layer == &layers.back(), drained));
+    }
+    most_strata = std::max(most_strata, layers.size());
+    if (list > 0) steps.push_back(column.from);
+    columns.push_back(std::move(column));
   }
   if (section.water_table) {
     wet = true;
@@ -62,20 +69,26 @@ SlopeModel::SlopeModel(const Section& section, Polyline present, Drainage draina
 }
 
 Column::Column(const SlopeModel& model)
-    : model_(&model),
-      present_(model.ground),
-      own_(model.reference),
-      water_(model.water),
-      bottoms_(model.strata.size()) {
-  for (const Stratum& s : model.strata) lines_.emplace_back(s.line);
+    : model_(&model), present_(model.ground), own_(model.reference), water_(model.water) {
+  enter(0);
+}
+
+void Column::enter(std::size_t column) {
+  column_ = column;
+  lines_.clear();
+  for (const Stratum& s : model_->columns[column].strata) lines_.emplace_back(s.line);
+  bottoms_.resize(lines_.size());
 }
 
 void Column::move_to(double x) {
+  std::size_t column = column_;
+  while (column + 1 < model_->columns.size() && x >= model_->columns[column + 1].from) ++column;
+  if (column != column_) enter(column);
   ground_ = present_.at(x);
   own_ground_ = own_.at(x);
   const double highest = std::max(own_ground_, model_->base);
   for (std::size_t i = 0; i < bottoms_.size(); ++i) {
-    const Stratum& s = model_->strata[i];
+    const Stratum& s = model_->columns[column_].strata[i];
     double z = s.value;
     if (s.kind == Stratum::Bottom::thickness) z = own_ground_ - s.value;
     if (s.kind == Stratum::Bottom::line) z = lines_[i].at(x);
@@ -93,7 +106,7 @@ double Column::weight_above(double z) const {
   for (std::size_t i = 0; i < bottoms_.size() && top > z; ++i) {
     const double bottom = std::max(bottoms_[i], z);
     if (bottom >= top) continue;
-    weight += model_->strata[i].unit_weight * (top - bottom);
+    weight += model_->columns[column_].strata[i].unit_weight * (top - bottom);
     top = bottom;
   }
   return weight;
@@ -107,7 +120,7 @@ std::size_t Column::stratum_at(double z) const {
 }
 
 Resistance Column::resistance_in(std::size_t index, double z) const {
-  const Stratum& s = model_->strata[index];
+  const Stratum& s = model_->columns[column_].strata[index];
   if (!model_->drained) {
     const bool constant = s.undrained->by == Strength::By::constant;
     return {constant ? s.undrained->constant_Pa : s.undrained->at(own_ground_ - z, z), 0, 0};
@@ -118,7 +131,8 @@ Resistance Column::resistance_in(std::size_t index, double z) const {
 
 Resistance Column::resistance_at(double z) const { return resistance_in(stratum_at(z), z); }
 
-Resistance Column::resistance_on(std::size_t index) const {
+Resistance Column::resistance_on(std::size_t stratum) const {
+  const std::size_t index = std::min(stratum, last());
   const double z = bottoms_[index];
   const Resistance above = resistance_in(index, z);
   if (index + 1 == bottoms_.size()) return above;

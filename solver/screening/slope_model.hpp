@@ -45,6 +45,12 @@ struct Stratum {
   double cohesion = 0, tan_phi = 0;
 };
 
+/// Layers from an x on, to the next column's.
+struct StrataFrom {
+  double from = 0;
+  std::vector<Stratum> strata;  ///< top down
+};
+
 /// Strength parameters where a slip surface passes.
 struct Resistance {
   double cohesion = 0;
@@ -61,13 +67,14 @@ struct SlopeModel {
   Polyline ground;     ///< the surface as it is
   Polyline reference;  ///< the section's own ground
   double base = 0;
-  std::vector<Stratum> strata;  ///< top down
+  std::vector<StrataFrom> columns;  ///< left to right; the first holds from the left end
+  std::size_t most_strata = 0;      ///< of a column
   bool drained = false;
   bool wet = false;
   bool water_follows_ground = false;
   double water_depth = 0;
   Polyline water;
-  std::vector<double> steps;  ///< x of vertical faces of the ground
+  std::vector<double> steps;  ///< x of vertical faces of the ground and of borders of columns
 };
 
 /// The vertical through one x, kept up to date while walking rightwards.
@@ -77,18 +84,23 @@ class Column {
 
   void move_to(double x);
   double ground() const { return ground_; }
-  double bottom(std::size_t stratum) const { return bottoms_[stratum]; }
+  /// The base where the column has fewer strata.
+  double bottom(std::size_t stratum) const { return bottoms_[std::min(stratum, last())]; }
   /// Weight of the ground above z per square metre, Pa.
   double weight_above(double z) const;
   Resistance resistance_at(double z) const;
   /// On the bottom of a stratum: the weaker of the two sides.
-  Resistance resistance_on(std::size_t index) const;
+  Resistance resistance_on(std::size_t stratum) const;
 
  private:
+  std::size_t last() const { return bottoms_.size() - 1; }
   std::size_t stratum_at(double z) const;
   Resistance resistance_in(std::size_t index, double z) const;
 
+  void enter(std::size_t column);
+
   const SlopeModel* model_;
+  std::size_t column_ = 0;
   LineWalker present_, own_, water_;
   std::vector<LineWalker> lines_;
   std::vector<double> bottoms_;

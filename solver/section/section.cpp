@@ -25,16 +25,35 @@ double stated_bottom(const Section& section, const Layer& layer, double x) {
 
 }  // namespace
 
-double layer_bottom(const Section& section, std::size_t layer, double x) {
-  const double ground = std::max(elevation_at(section.ground, x), section.base_m);
-  return std::clamp(stated_bottom(section, section.layers[layer], x), section.base_m, ground);
+std::size_t layer_lists(const Section& section) {
+  return std::max<std::size_t>(1, section.columns.size());
 }
 
-std::size_t layer_at(const Section& section, Point p) {
-  for (std::size_t i = 0; i + 1 < section.layers.size(); ++i) {
-    if (p.z >= layer_bottom(section, i, p.x)) return i;
+const std::vector<Layer>& layers_of(const Section& section, std::size_t list) {
+  return section.columns.empty() ? section.layers : section.columns[list].layers;
+}
+
+std::size_t layer_list_at(const Section& section, double x) {
+  std::size_t list = 0;
+  while (list + 1 < section.columns.size() && x >= section.columns[list].to_m) ++list;
+  return list;
+}
+
+const std::vector<Layer>& layers_at(const Section& section, double x) {
+  return layers_of(section, layer_list_at(section, x));
+}
+
+double layer_bottom(const Section& section, const Layer& layer, double x) {
+  const double ground = std::max(elevation_at(section.ground, x), section.base_m);
+  return std::clamp(stated_bottom(section, layer, x), section.base_m, ground);
+}
+
+const Layer& layer_at(const Section& section, Point p) {
+  const std::vector<Layer>& layers = layers_at(section, p.x);
+  for (std::size_t i = 0; i + 1 < layers.size(); ++i) {
+    if (p.z >= layer_bottom(section, layers[i], p.x)) return layers[i];
   }
-  return section.layers.size() - 1;
+  return layers.back();
 }
 
 double pore_pressure(const Section& section, Point p) {

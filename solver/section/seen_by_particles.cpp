@@ -52,38 +52,47 @@ std::vector<double> crossings(const Polyline& polygon, double x) {
   return at;
 }
 
+bool continues_into_neighbour(const std::vector<Layer>& layers, std::size_t layer) {
+  const auto same = [&](std::size_t other) {
+    return layers[other].material == layers[layer].material;
+  };
+  return (layer > 0 && same(layer - 1)) || (layer + 1 < layers.size() && same(layer + 1));
+}
+
 }  // namespace
 
 double particle_spacing(const Resolution& resolution) {
   return resolution.cell_m / std::round(std::sqrt(resolution.particles_per_cell));
 }
 
-std::vector<Seen> seen_layers(const Section& section, const Resolution& resolution) {
+std::vector<SeenLayer> seen_layers(const Section& section, const Resolution& resolution) {
   // Depths below the toe would look for the toe at every column.
   Section with_toe = section;
   if (const auto bank = find_crest_and_toe(section.ground); bank && !with_toe.toe) {
     with_toe.toe = bank->toe;
   }
+  std::vector<SeenLayer> seen;
+  std::vector<std::size_t> first_of_list;
+  for (std::size_t list = 0; list < layer_lists(section); ++list) {
+    const std::vector<Layer>& layers = layers_of(section, list);
+    first_of_list.push_back(seen.size());
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      seen.push_back({list, i, {}, continues_into_neighbour(layers, i)});
+    }
+  }
   const Lattice lattice = lattice_of(section, resolution);
-  std::vector<Seen> seen(section.layers.size());
   for (std::size_t column = 0; column < lattice.columns; ++column) {
     const double x = lattice.x(column);
+    const std::size_t list = layer_list_at(section, x);
     double top = std::max(elevation_at(section.ground, x), section.base_m);
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      const bool last = i + 1 == seen.size();
-      const double bottom = last ? section.base_m : std::min(top, layer_bottom(with_toe, i, x));
-      lattice.add(seen[i], bottom, top);
+    std::size_t i = first_of_list[list];
+    for (const Layer& layer : layers_of(section, list)) {
+      const double bottom = std::min(top, layer_bottom(with_toe, layer, x));
+      lattice.add(seen[i++].seen, bottom, top);
       top = bottom;
     }
   }
   return seen;
-}
-
-bool is_part_of_neighbour(const Section& section, std::size_t layer) {
-  const auto same = [&](std::size_t other) {
-    return section.layers[other].material == section.layers[layer].material;
-  };
-  return (layer > 0 && same(layer - 1)) || (layer + 1 < section.layers.size() && same(layer + 1));
 }
 
 Seen seen_inside(const Section& section, const Resolution& resolution, const Polyline& polygon) {

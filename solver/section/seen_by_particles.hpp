@@ -26,12 +26,17 @@ struct Seen {
 /// Distance between two rows of particles, m.
 double particle_spacing(const Resolution& resolution);
 
-/// One entry a layer, in their order.
-/// @pre ground, layers and resolution have no fault
-std::vector<Seen> seen_layers(const Section& section, const Resolution& resolution);
+/// A layer of one of the section's lists, and the particles in it.
+struct SeenLayer {
+  std::size_t list = 0;
+  std::size_t layer = 0;  ///< in its list
+  Seen seen;
+  bool continues = false;  ///< into one beside it of the same material: it is no body of its own
+};
 
-/// Whether a layer continues into one beside it of the same material: it is no body of its own.
-bool is_part_of_neighbour(const Section& section, std::size_t layer);
+/// One entry a layer, list by list in their order.
+/// @pre ground, layers and resolution have no fault
+std::vector<SeenLayer> seen_layers(const Section& section, const Resolution& resolution);
 
 /// The ground inside a polygon.
 /// @pre as seen_layers; the polygon does not cross itself

@@ -221,7 +221,7 @@ std::vector<Fault> validate_settings(const RunSettings& settings) {
 std::vector<Fault> validate(const Section& section, const RunSettings& settings) {
   FaultList faults;
   const bool ground = check_ground(section, faults);
-  check_layers(section, faults);
+  check_soil(section, ground, faults);
   for (Fault& f : validate_materials(section.materials, "/materials")) {
     faults.add(std::move(f.pointer), std::move(f.message));
   }

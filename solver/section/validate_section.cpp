@@ -73,9 +73,8 @@ void check_same_kind(const Layer& upper, const Layer& lower, const std::string& 
 }
 
 /// Where one of two elevations is a line, the lower must not rise above the upper.
-void check_lines_cross(const Section& section, std::size_t i, std::size_t j, FaultList& faults) {
-  const Layer& upper = section.layers[i];
-  const Layer& lower = section.layers[j];
+void check_lines_cross(const Layer& upper, const Layer& lower, const std::string& upper_at,
+                       const std::string& at, FaultList& faults) {
   const auto sound = [](const Layer& l) { return !l.bottom.empty() && !first_fault(l.bottom); };
   const bool upper_line = sound(upper);
   const bool lower_line = sound(lower);
@@ -88,28 +87,62 @@ void check_lines_cross(const Section& section, std::size_t i, std::size_t j, Fau
     const double above = upper_line ? elevation_at(upper.bottom, x) : *upper.bottom_m;
     const double below = lower_line ? elevation_at(lower.bottom, x) : *lower.bottom_m;
     if (!(below > above)) continue;
-    faults.add("/layers" + index(j) + (lower_line ? "/bottom" : "/bottom_m"),
+    faults.add(at + (lower_line ? "/bottom" : "/bottom_m"),
                "lies at " + show(below) + " m at x = " + show(x) + " m, above the bottom of " +
-                   "/layers" + index(i) + " (" + show(above) + " m): the layers cross");
+                   upper_at + " (" + show(above) + " m): the layers cross");
     return;
   }
 }
 
-void check_order(const Section& section, FaultList& faults) {
+void check_order(const std::vector<Layer>& layers, const std::string& at, FaultList& faults) {
   // Each layer against the nearest one above that is measured in the same way.
   const auto kind = [](const Layer& l) {
     return l.thickness_m ? 1 : l.bottom_below_toe_m ? 2 : (l.bottom_m || !l.bottom.empty()) ? 3 : 0;
   };
-  for (std::size_t j = 1; j < section.layers.size(); ++j) {
-    const int wanted = kind(section.layers[j]);
+  for (std::size_t j = 1; j < layers.size(); ++j) {
+    const int wanted = kind(layers[j]);
     if (wanted == 0) continue;
     for (std::size_t i = j; i-- > 0;) {
-      if (kind(section.layers[i]) != wanted) continue;
-      check_same_kind(section.layers[i], section.layers[j], "/layers" + index(i),
-                      "/layers" + index(j), faults);
-      check_lines_cross(section, i, j, faults);
+      if (kind(layers[i]) != wanted) continue;
+      const std::string upper_at = at + index(i), lower_at = at + index(j);
+      check_same_kind(layers[i], layers[j], upper_at, lower_at, faults);
+      check_lines_cross(layers[i], layers[j], upper_at, lower_at, faults);
       break;
     }
+  }
+}
+
+/// Columns stand side by side: each begins where the one before it ends.
+void check_borders(const std::vector<SoilColumn>& columns, FaultList& faults) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::string at = "/columns" + index(i);
+    const double from = columns[i].from_m, to = columns[i].to_m;
+    const bool both = faults.finite(at + "/from_m", from) && faults.finite(at + "/to_m", to);
+    if (both && !(to > from)) {
+      faults.add(at + "/to_m",
+                 "is " + show(to) + " m, must be greater than from_m (" + show(from) + " m)");
+    }
+    if (i == 0 || !both || !std::isfinite(columns[i - 1].to_m)) continue;
+    const double end = columns[i - 1].to_m;
+    if (from == end) continue;
+    faults.add(at + "/from_m", "is " + show(from) + " m, must be " + show(end) +
+                                   " m, where the column before it ends: they " +
+                                   (from < end ? "overlap" : "leave a gap"));
+  }
+}
+
+void check_ends(const Section& section, FaultList& faults) {
+  const double left = section.ground.front().x, right = section.ground.back().x;
+  const SoilColumn& first = section.columns.front();
+  const SoilColumn& last = section.columns.back();
+  if (first.from_m > left) {
+    faults.add("/columns/0/from_m", "is " + show(first.from_m) + " m, must be at most " +
+                                        show(left) + " m, where the ground begins");
+  }
+  if (last.to_m < right) {
+    faults.add("/columns" + index(section.columns.size() - 1) + "/to_m",
+               "is " + show(last.to_m) + " m, must be at least " + show(right) +
+                   " m, where the ground ends");
   }
 }
 
@@ -148,24 +181,37 @@ bool check_ground(const Section& section, FaultList& faults) {
   return true;
 }
 
-void check_layers(const Section& section, FaultList& faults) {
-  if (section.layers.empty()) {
-    faults.add("/layers", "is empty, needs at least one layer that reaches the base");
-  }
-  for (std::size_t i = 0; i < section.layers.size(); ++i) {
-    const Layer& layer = section.layers[i];
-    const std::string at = "/layers" + index(i);
-    check_bottom(layer, i + 1 == section.layers.size(), at, faults);
-    if (!section.materials.contains(layer.material)) {
-      std::string known;
-      for (const auto& [name, material] : section.materials) {
-        known += (known.empty() ? "" : ", ") + ("\"" + name + "\"");
-      }
-      faults.add(at + "/material", "is \"" + layer.material + "\", which is not defined in " +
-                                       "/materials" + (known.empty() ? "" : " (" + known + ")"));
+std::string layers_pointer(const Section& section, std::size_t list) {
+  return section.columns.empty() ? "/layers" : "/columns" + index(list) + "/layers";
+}
+
+void check_layers(const std::vector<Layer>& layers,
+                  const std::map<std::string, Material>& materials, const std::string& at,
+                  FaultList& faults) {
+  if (layers.empty()) faults.add(at, "is empty, needs at least one layer that reaches the base");
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const std::string layer_at = at + index(i);
+    check_bottom(layers[i], i + 1 == layers.size(), layer_at, faults);
+    if (materials.contains(layers[i].material)) continue;
+    std::string known;
+    for (const auto& [name, material] : materials) {
+      known += (known.empty() ? "" : ", ") + ("\"" + name + "\"");
     }
+    faults.add(layer_at + "/material", "is \"" + layers[i].material +
+                                           "\", which is not defined in " + "/materials" +
+                                           (known.empty() ? "" : " (" + known + ")"));
   }
-  check_order(section, faults);
+  check_order(layers, at, faults);
+}
+
+void check_soil(const Section& section, bool ground_is_sound, FaultList& faults) {
+  for (std::size_t list = 0; list < layer_lists(section); ++list) {
+    check_layers(layers_of(section, list), section.materials, layers_pointer(section, list),
+                 faults);
+  }
+  if (section.columns.empty()) return;
+  check_borders(section.columns, faults);
+  if (ground_is_sound) check_ends(section, faults);
 }
 
 void check_water_table(const Section& section, FaultList& faults) {
@@ -199,15 +245,11 @@ namespace {
 
 bool lies_under_water(const Section& section, const std::string& material) {
   return std::ranges::any_of(section.ground, [&](const Point& at) {
-    for (std::size_t i = 0; i < section.layers.size(); ++i) {
-      if (section.layers[i].material != material) continue;
-      const bool last = i + 1 == section.layers.size();
-      const double bottom = last ? section.base_m : layer_bottom(section, i, at.x);
-      if (layer_at(section, {at.x, bottom}) == i && pore_pressure(section, {at.x, bottom}) > 0) {
-        return true;
-      }
-    }
-    return false;
+    return std::ranges::any_of(layers_at(section, at.x), [&](const Layer& layer) {
+      if (layer.material != material) return false;
+      const Point bottom{at.x, layer_bottom(section, layer, at.x)};
+      return &layer_at(section, bottom) == &layer && pore_pressure(section, bottom) > 0;
+    });
   });
 }
 

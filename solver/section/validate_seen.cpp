@@ -4,6 +4,7 @@
 
 #include "solver/section/seen_by_particles.hpp"
 #include "solver/section/toe_cut.hpp"
+#include "solver/section/validate_section.hpp"
 
 namespace leda {
 namespace {
@@ -16,18 +17,33 @@ std::string lost_to(const Resolution& resolution, const Seen& seen) {
          " m apart; take a cell of at most " + show(cell) + " m";
 }
 
+/// A column between two rows of particles would be no ground at all.
+void check_seen_columns(const Section& section, const Resolution& resolution, FaultList& faults) {
+  for (std::size_t i = 0; i < section.columns.size(); ++i) {
+    const double width = section.columns[i].to_m - section.columns[i].from_m;
+    if (width >= resolution.cell_m * (1 - 1e-9)) continue;
+    faults.add("/columns/" + std::to_string(i), "is " + show(width) +
+                                                    " m wide, must be at least one cell (" +
+                                                    show(resolution.cell_m) + " m)");
+  }
+}
+
+void check_seen_layers(const Section& section, const Resolution& resolution, FaultList& faults) {
+  for (const SeenLayer& entry : seen_layers(section, resolution)) {
+    if (!entry.seen.lost() || entry.continues) continue;
+    faults.add(layers_pointer(section, entry.list) + "/" + std::to_string(entry.layer),
+               "(" + layers_of(section, entry.list)[entry.layer].material + ") " +
+                   lost_to(resolution, entry.seen) + ", or leave the layer out");
+  }
+}
+
 }  // namespace
 
 void check_seen(const Section& section, const RunSettings& settings,
                 const std::optional<CrestAndToe>& bank, FaultList& faults) {
   const Resolution& resolution = settings.resolution;
-  const std::vector<Seen> layers = seen_layers(section, resolution);
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    if (!layers[i].lost() || is_part_of_neighbour(section, i)) continue;
-    faults.add("/layers/" + std::to_string(i), "(" + section.layers[i].material + ") " +
-                                                   lost_to(resolution, layers[i]) +
-                                                   ", or leave the layer out");
-  }
+  check_seen_columns(section, resolution, faults);
+  check_seen_layers(section, resolution, faults);
   if (const auto* excavation = std::get_if<ExcavationTrigger>(&settings.trigger)) {
     const Seen cut = seen_inside(section, resolution, excavation->polygon);
     if (cut.seen_m2 == 0) faults.add("/trigger/polygon", lost_to(resolution, cut));

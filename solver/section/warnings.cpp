@@ -44,11 +44,12 @@ void warn_of_rounding(const std::string& name, const Seen& seen, const Resolutio
 
 void warn_of_thin_layers(const Section& section, const Resolution& resolution,
                          std::vector<std::string>& warnings) {
-  const std::vector<Seen> seen = seen_layers(section, resolution);
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (is_part_of_neighbour(section, i)) continue;
-    warn_of_rounding("layer " + std::to_string(i + 1) + " (" + section.layers[i].material + ")",
-                     seen[i], resolution, warnings);
+  for (const SeenLayer& entry : seen_layers(section, resolution)) {
+    if (entry.continues) continue;
+    const std::string& material = layers_of(section, entry.list)[entry.layer].material;
+    std::string name = "layer " + std::to_string(entry.layer + 1) + " (" + material + ")";
+    if (!section.columns.empty()) name += " of column " + std::to_string(entry.list + 1);
+    warn_of_rounding(name, entry.seen, resolution, warnings);
   }
 }
 

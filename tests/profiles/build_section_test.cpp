@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace leda::profiles {
 namespace {
 
@@ -55,26 +57,66 @@ TEST(BuildSection, TheModelAtTheCrestApplies) {
   EXPECT_NE(none.faults[0].message.find("no soil model applies"), std::string::npos);
 }
 
-// The section runs from y = 2000 to y = 1694; its crest lies at y = 1817.
-TEST(BuildSection, ASectionOverTwoSoilsSaysWhichAndHowFar) {
+// The section runs from y = 2000 to y = 1694; its crest lies at y = 1817, x = 183.
+TEST(BuildSection, ASectionOverTwoSoilsHasColumns) {
   SoilModel bank = clay("bank"), valley = clay("valley");
   bank.where = {square(900, 1786, 1100, 2050)};
   valley.where = {square(900, 1600, 1100, 1786)};
+  valley.materials["S1"].k0 = 0.7;
   const BuiltSection built = build_section(profile(), {valley, bank});
+  ASSERT_TRUE(built.faults.empty());
   EXPECT_EQ(built.soil_model, 1U);
-  ASSERT_EQ(built.warnings.size(), 1U);
-  EXPECT_EQ(built.warnings[0],
-            "soil 'bank', that of the crest, is taken for the whole section, which lies with 30 % "
-            "of it on soil 'valley'");
+  EXPECT_TRUE(built.warnings.empty());
+  const Section& s = built.section;
+  EXPECT_TRUE(s.layers.empty());
+  ASSERT_EQ(s.columns.size(), 2U);
+  EXPECT_EQ(s.columns[0].from_m, 0);
+  EXPECT_NEAR(s.columns[0].to_m, 214, 0.02);
+  EXPECT_EQ(s.columns[1].from_m, s.columns[0].to_m);
+  EXPECT_EQ(s.columns[1].to_m, 306);
+  EXPECT_EQ(s.columns[0].layers[1].material, "S1");
+  EXPECT_EQ(s.columns[1].layers[1].material, "S1 (valley)");
+  EXPECT_EQ(s.materials.at("S1 (valley)").k0, 0.7);
+  EXPECT_EQ(s.materials.at("S1").k0, bank.materials["S1"].k0);
+  EXPECT_EQ(origin_of(built, "/columns/1/layers/0").model, 0U);
+  EXPECT_EQ(origin_of(built, "/columns/1/layers/0").pointer, "/layers/0");
+  EXPECT_EQ(origin_of(built, "/materials/S1 (valley)/k0").model, 0U);
+  EXPECT_EQ(origin_of(built, "/materials/S1 (valley)/k0").pointer, "/materials/S1/k0");
+  EXPECT_EQ(origin_of(built, "/materials/S1/k0").model, 1U);
+}
+
+TEST(BuildSection, OneSoilOrASliverOfAnotherNeedsNoColumns) {
+  SoilModel bank = clay("bank"), rest = clay("rest");
   bank.where = {square(900, 1600, 1100, 2050)};
-  EXPECT_TRUE(build_section(profile(), {bank, clay("rest")}).warnings.empty());
+  EXPECT_TRUE(build_section(profile(), {bank, rest}).section.columns.empty());
+  bank.where = {square(900, 1696, 1100, 2050)};
+  const BuiltSection sliver = build_section(profile(), {bank, rest});
+  EXPECT_TRUE(sliver.section.columns.empty());
+  EXPECT_EQ(sliver.section.layers.size(), 2U);
   EXPECT_TRUE(build_section(profile(), {clay("one")}).warnings.empty());
 }
 
-TEST(BuildSection, GroundWithoutASoilIsTold) {
+TEST(BuildSection, WaterAndBaseOfEachSoil) {
+  SoilModel bank = clay("bank"), valley = clay("valley");
+  bank.where = {square(900, 1786, 1100, 2050)};
+  bank.water_table = WaterTable{.depth_m = 2, .line = {}};
+  valley.water_table = WaterTable{.depth_m = 0.5, .line = {}};
+  valley.base_m = -3;
+  const BuiltSection built = build_section(profile(), {bank, valley});
+  EXPECT_EQ(built.section.base_m, 0);
+  ASSERT_EQ(built.warnings.size(), 1U);
+  EXPECT_NE(built.warnings[0].find("soil 'valley' has it at -3.00 m"), std::string::npos);
+  const Polyline& water = built.section.water_table->line;
+  EXPECT_NEAR(elevation_at(water, 100), 19.7, 1e-9);
+  EXPECT_NEAR(elevation_at(water, 260), 16.5, 1e-9);
+  EXPECT_TRUE(std::ranges::is_sorted(water, {}, &Point::x));
+}
+
+TEST(BuildSection, GroundWithoutASoilTakesThatBesideItAndSaysSo) {
   SoilModel bank = clay("bank");
   bank.where = {square(900, 1786, 1100, 2050)};
   const BuiltSection built = build_section(profile(), {bank});
+  EXPECT_TRUE(built.section.columns.empty());
   ASSERT_EQ(built.warnings.size(), 1U);
   EXPECT_NE(built.warnings[0].find("30 % of it on no soil"), std::string::npos);
 }
@@ -112,7 +154,7 @@ TEST(BuildSection, NamesEveryFaultOfTheModel) {
   for (const Fault& fault : built.faults) pointers.push_back(fault.pointer);
   EXPECT_EQ(pointers,
             (std::vector<std::string>{"/0/layers/0", "/0/layers/1/material", "/0/layers/1/bottom",
-                                      "/0/base_below_toe_m", "/0/water_table/line"}));
+                                      "/0/water_table/line", "/0/base_below_toe_m"}));
 }
 
 }  // namespace

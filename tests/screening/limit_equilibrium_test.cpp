@@ -231,6 +231,31 @@ TEST(LimitEquilibrium, FollowsAWeakSeam) {
   EXPECT_NEAR(*f.spencer, *f.bishop, 0.12 * *f.bishop);
 }
 
+TEST(LimitEquilibrium, ColumnsOfTheSameSoilAreTheSameGround) {
+  const Section whole = plane_bank(10, 30, 3, clay_of(17e3, 30e3));
+  Section split = whole;
+  const double left = whole.ground.front().x, right = whole.ground.back().x;
+  split.columns = {{left, 0.4 * left + 0.6 * right, whole.layers},
+                   {0.4 * left + 0.6 * right, right, whole.layers}};
+  split.layers.clear();
+  // An edge of a slice is moved onto the border, which moves the factor by a little.
+  EXPECT_NEAR(undrained(split), undrained(whole), 0.003 * undrained(whole));
+}
+
+TEST(LimitEquilibrium, OnlyTheSoilWhereTheSurfacePassesCounts) {
+  Section s = plane_bank(10, 30, 3, clay_of(17e3, 30e3));
+  const double left = s.ground.front().x, right = s.ground.back().x;
+  const double whole = undrained(s);
+  s.materials["far"] = s.materials.begin()->second;
+  s.materials["far"].peak_strength.constant_Pa *= 0.25;
+  const std::vector<Layer> layers = s.layers, far{layer_of("far")};
+  s.layers.clear();
+  s.columns = {{left, left + 1, far}, {left + 1, right, layers}};
+  EXPECT_NEAR(undrained(s), whole, 0.003 * whole);
+  s.columns = {{left, left + 1, layers}, {left + 1, right, far}};
+  EXPECT_NEAR(undrained(s), 0.25 * whole, 0.01 * whole);
+}
+
 TEST(LimitEquilibrium, AStrongCrustHelps) {
   Section s = plane_bank(10, 30, 1.5, clay_of(17e3, 30e3));
   const double plain = undrained(s);

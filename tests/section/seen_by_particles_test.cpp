@@ -35,13 +35,34 @@ TEST(SeenByParticles, LayersAreCountedAsTheRowsInThem) {
   const Section s = with_seam(3.5, 2.5);
   const auto seen = seen_layers(s, cells_of(1).resolution);
   ASSERT_EQ(seen.size(), 3U);
-  EXPECT_NEAR(seen[1].area_m2, 100, 1e-9);
-  EXPECT_NEAR(seen[1].seen_m2, 100, 1e-9);
-  EXPECT_NEAR(seen[1].length_m, 100, 1e-9);
-  EXPECT_EQ(seen[1].missed_m, 0);
+  EXPECT_NEAR(seen[1].seen.area_m2, 100, 1e-9);
+  EXPECT_NEAR(seen[1].seen.seen_m2, 100, 1e-9);
+  EXPECT_NEAR(seen[1].seen.length_m, 100, 1e-9);
+  EXPECT_EQ(seen[1].seen.missed_m, 0);
   double area = 0;
-  for (const Seen& layer : seen) area += layer.area_m2;
+  for (const SeenLayer& layer : seen) area += layer.seen.area_m2;
   EXPECT_NEAR(area, 40 * 20 + 30 * 12.5 + 30 * 5, 1);
+}
+
+TEST(SeenByParticles, EachColumnHasItsLayers) {
+  Section s = with_seam(3.5, 2.5);
+  s.columns = {{0, 30, s.layers}, {30, 100, {test::layer("clay")}}};
+  s.layers.clear();
+  const auto seen = seen_layers(s, cells_of(1).resolution);
+  ASSERT_EQ(seen.size(), 4U);
+  EXPECT_NEAR(seen[1].seen.area_m2, 30, 1e-9);
+  EXPECT_EQ(seen[3].list, 1U);
+  EXPECT_NEAR(seen[3].seen.length_m, 70, 1e-9);
+}
+
+TEST(SeenByParticles, AColumnNarrowerThanACellIsRefused) {
+  Section s = test::bank();
+  s.columns = {{0, 30, s.layers}, {30, 30.4, s.layers}, {30.4, 100, s.layers}};
+  s.layers.clear();
+  const auto faults = validate(s, cells_of(0.5));
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].pointer, "/columns/1");
+  EXPECT_TRUE(validate(s, cells_of(0.4)).empty());
 }
 
 TEST(SeenByParticles, ASeamBetweenTwoRowsIsRefusedWithTheCellThatSeesIt) {

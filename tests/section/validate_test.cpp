@@ -53,6 +53,10 @@ Layer with_line(const char* material, Polyline bottom) {
   return l;
 }
 
+std::vector<SoilColumn> halves(const Section& s) {
+  return {{0, 50, s.layers}, {50, 100, s.layers}};
+}
+
 const Case cases[] = {
     {"sound", [](Section&, RunSettings&) {}, {}},
     {"ground_empty", [](Section& s, RunSettings&) { s.ground.clear(); }, {"/ground"}},
@@ -98,6 +102,34 @@ const Case cases[] = {
        s.layers[0] = with_line("crust", {{5, 18}, {1, 3}});
      },
      {"/layers/0/bottom/1/0"}},
+    {"columns_sound", [](Section& s, RunSettings&) { s.columns = halves(s); }, {}},
+    {"columns_overlap_at_the_border",
+     [](Section& s, RunSettings&) {
+       s.columns = halves(s);
+       s.columns[1].from_m = 49;
+     },
+     {"/columns/1/from_m"}},
+    {"columns_leave_gaps",
+     [](Section& s, RunSettings&) {
+       s.columns = halves(s);
+       s.columns[0].from_m = 1;
+       s.columns[1].from_m = 51;
+       s.columns[1].to_m = 99;
+     },
+     {"/columns/0/from_m", "/columns/1/from_m", "/columns/1/to_m"}},
+    {"column_turned_round",
+     [](Section& s, RunSettings&) {
+       s.columns = halves(s);
+       s.columns[1].to_m = 20;
+     },
+     {"/columns/1/to_m", "/columns/1/to_m"}},
+    {"column_without_soil",
+     [](Section& s, RunSettings&) {
+       s.columns = halves(s);
+       s.columns[1].layers[1].material = "sand";
+       s.columns[0].layers.clear();
+     },
+     {"/columns/0/layers", "/columns/1/layers/1/material"}},
     {"water_both",
      [](Section& s, RunSettings&) {
        s.water_table->line = {{0, 1}, {1, 1}};

@@ -44,6 +44,35 @@ TEST(SeedParticles, OverburdenAddsUpTheLayers) {
   EXPECT_NEAR(overburden(s, {5, 9}), 19e3, 1e-6);
 }
 
+TEST(SeedParticles, ColumnsOfTheSameSoilAreTheSameGround) {
+  const Section s = bank(5, 45, 20e3);
+  Section split = s;
+  split.columns = {{0, 33.3, s.layers}, {33.3, 75, s.layers}};
+  split.layers.clear();
+  const Seeded a = seed_particles(s, {1, 4, 3}), b = seed_particles(split, {1, 4, 3});
+  ASSERT_EQ(a.particles.size(), b.particles.size());
+  for (std::size_t i = 0; i < a.particles.size(); ++i) {
+    EXPECT_EQ(a.particles[i].x, b.particles[i].x);
+    EXPECT_EQ(a.particles[i].szz, b.particles[i].szz);
+    EXPECT_EQ(a.particles[i].law, b.particles[i].law);
+  }
+}
+
+TEST(SeedParticles, EachColumnHasItsMaterial) {
+  Section s = bank(5, 45, 20e3);
+  s.materials["fill"] = s.materials["clay"];
+  s.materials["fill"].unit_weight = 20e3;
+  Layer fill;
+  fill.material = "fill";
+  s.columns = {{0, 20, s.layers}, {20, 75, {fill}}};
+  s.layers.clear();
+  const Seeded seeded = seed_particles(s, {1, 4, 0});
+  for (std::size_t i = 0; i < seeded.particles.size(); ++i) {
+    const double weight = seeded.particles[i].x < 20 ? 17e3 : 20e3;
+    EXPECT_NEAR(seeded.particles[i].mass, weight / gravity * 0.25, 1e-9 * weight);
+  }
+}
+
 TEST(SeedParticles, ASeedMovesThemByAMicrometreAtMost) {
   const Section s = bank(5, 45, 20e3);
   const Seeded a = seed_particles(s, {1, 4, 0}), b = seed_particles(s, {1, 4, 7});

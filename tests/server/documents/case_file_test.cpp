@@ -42,6 +42,22 @@ TEST(CaseFile, SainteMoniqueInSiUnits) {
   EXPECT_EQ(c.settings.resolution.cell_m, 0.5);
 }
 
+TEST(CaseFile, ColumnsComeAndGo) {
+  auto document = nlohmann::json::parse(test::read_case("sainte-monique-AA.json"));
+  const auto layers = document["layers"];
+  document.erase("layers");
+  document["columns"] = {{{"from_m", 0}, {"to_m", 222}, {"layers", layers}},
+                         {{"from_m", 222}, {"to_m", 306}, {"layers", {{{"material", "crust"}}}}}};
+  const CaseFile c = parsed(document.dump());
+  ASSERT_EQ(c.section.columns.size(), 2U);
+  EXPECT_TRUE(c.section.layers.empty());
+  EXPECT_EQ(c.section.columns[0].layers.size(), 3U);
+  EXPECT_EQ(c.section.columns[1].from_m, 222);
+  EXPECT_EQ(c.section.columns[1].layers[0].material, "crust");
+  EXPECT_EQ(to_document(c)["columns"], document["columns"]);
+  EXPECT_FALSE(to_document(c).contains("layers"));
+}
+
 TEST(CaseFile, EveryKeyArrives) {
   const CaseFile c = parsed(test::read_case("every-key.json"));
   const auto& m = c.section.materials;
