@@ -32,6 +32,7 @@ json to_document(const Material& m) {
     out["drained"] = {{"cohesion_kPa", per_kilo(m.drained->cohesion_Pa)},
                       {"friction_angle_deg", m.drained->friction_angle_deg}};
   }
+  if (m.drains) out["drainage"] = "drained";
   if (m.softening) out["softening"] = leda::server::to_document(*m.softening);
   if (m.rate) out["rate"] = leda::server::to_document(*m.rate);
   if (m.remolded_rate) out["rate"]["remolded"] = leda::server::to_document(*m.remolded_rate);

@@ -117,6 +117,15 @@ void read_rates(const json& value, const std::string& at, Material& m, FaultList
   }
 }
 
+bool read_drains(ObjectReader& reader, FaultList& faults) {
+  if (!reader.find("drainage")) return false;
+  const std::string text = reader.text("drainage");
+  if (text != "drained" && text != "undrained" && !text.empty()) {
+    faults.add(reader.at("drainage"), "is \"" + text + "\", must be undrained or drained");
+  }
+  return text == "drained";
+}
+
 Material read_material(const json& value, const std::string& at, ReadMaterials& result,
                        FaultList& faults) {
   Material m;
@@ -134,6 +143,7 @@ Material read_material(const json& value, const std::string& at, ReadMaterials& 
     m.drained = strength;
     part.refuse_unknown();
   }
+  m.drains = read_drains(reader, faults);
   if (const json* softening = reader.find("softening")) {
     m.softening = read_softening(*softening, reader.at("softening"), faults);
   }

@@ -12,10 +12,15 @@ namespace leda::solver {
 namespace {
 constexpr int strength_steps = 1000;  // of the largest strength: a rounding of at most 0.05 %
 
+constexpr double pressure_step_Pa = 50;
+constexpr double no_cohesion_Pa = 1e-3;  // shares of the peak are taken
+
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double locking_ratio =  // K / G
     2 * (1 + locking_poisson_ratio) / (3 * (1 - 2 * locking_poisson_ratio));
 constexpr double no_rate = 1e-300;  // of the reference: its logarithm is still a number
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 SofteningCurve perfectly_plastic(double peak) {
   SofteningCurve curve;
@@ -71,20 +76,34 @@ LawTableBuilder::LawTableBuilder(const Section& section, double cell_m) : cell_m
     materials_.push_back(&material);
     viscous_ = viscous_ || is_viscous(material);
     rows_.emplace_back(strength_steps + 1, -1);
+    drained_rows_.emplace_back();
   }
 }
 
-std::int32_t LawTableBuilder::row(std::size_t material_index, double depth_m, double elevation_m) {
-  const Strength& strength = materials_[material_index]->peak_strength;
+std::int32_t LawTableBuilder::row(std::size_t material_index, double depth_m, double elevation_m,
+                                  double pore_pressure) {
+  const Material& m = *materials_[material_index];
+  if (m.drains) {
+    const long bin = std::lround(pore_pressure / pressure_step_Pa);
+    const auto [known, is_new] = drained_rows_[material_index].try_emplace(bin, -1);
+    const double peak = m.drained->cohesion_Pa * std::cos(radians(m.drained->friction_angle_deg));
+    if (is_new) {
+      known->second = add(material_index, std::max(peak, no_cohesion_Pa),
+                          static_cast<double>(bin) * pressure_step_Pa);
+    }
+    return known->second;
+  }
+  const Strength& strength = m.peak_strength;
   const double largest = strength.largest();
   const double step = strength.at(depth_m, elevation_m) / largest * strength_steps;
   const auto bin = static_cast<std::size_t>(std::clamp(std::lround(step), 1L, 1L * strength_steps));
   std::int32_t& known = rows_[material_index][bin];
-  if (known < 0) known = add(material_index, largest * static_cast<double>(bin) / strength_steps);
+  if (known < 0)
+    known = add(material_index, largest * static_cast<double>(bin) / strength_steps, 0);
   return known;
 }
 
-std::int32_t LawTableBuilder::add(std::size_t material_index, double peak) {
+std::int32_t LawTableBuilder::add(std::size_t material_index, double peak, double pore_pressure) {
   const Material& m = *materials_[material_index];
   SofteningCurve curve = perfectly_plastic(peak);
   if (m.softening) curve = softening_curve(*m.softening, peak, cell_m_);
@@ -106,7 +125,9 @@ std::int32_t LawTableBuilder::add(std::size_t material_index, double peak) {
   t.line_slope.push_back(has_line ? (curve.last - curve.line_start) / length : 0.0);
   t.line_end.push_back(curve.line_end);
   t.last.push_back(curve.last);
-  t.tension.push_back(m.tensile_strength_Pa.value_or(beyond_reach));
+  t.tension.push_back(m.tensile_strength_Pa.value_or(m.drains ? 0 : beyond_reach));
+  t.sin_friction.push_back(m.drains ? std::sin(radians(m.drained->friction_angle_deg)) : 0);
+  t.pore_pressure.push_back(m.drains ? pore_pressure : 0);
   t.softens.push_back(m.softening ? 1 : 0);
   t.material.push_back(static_cast<std::int32_t>(material_index));
   if (viscous_) add_viscous(m);
@@ -161,6 +182,7 @@ LawTable without_softening(const LawTable& table, bool elastic) {
   if (elastic) std::fill(result.peak.begin(), result.peak.end(), beyond_reach);
   result.viscous = {};
   std::ranges::fill(result.tension, beyond_reach);
+  if (elastic) std::ranges::fill(result.sin_friction, 0);
   result.band_m = 0;
   result.floor = result.peak;
   std::fill(result.amplitude.begin(), result.amplitude.end(), 0.0);

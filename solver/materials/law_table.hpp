@@ -2,6 +2,7 @@
 // The laws of all particles of a run as one table: elastic moduli and softening curve.
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,11 @@ struct LawTable {
   std::vector<double> peak;         ///< s_up, Pa
   std::vector<double> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
   std::vector<double> tension;  ///< tensile strength before any softening, Pa; beyond reach: none
-  std::vector<std::int32_t> softens;   ///< 0 or 1
-  std::vector<std::int32_t> material;  ///< index in the section's materials, by name
-  ViscousLaws viscous;                 ///< empty where no material has such a law
+  /// Of ground that drains, whose peak is c' cos(phi'); else 0.
+  std::vector<double> sin_friction, pore_pressure;  ///< sin(phi'); u, Pa
+  std::vector<std::int32_t> softens;                ///< 0 or 1
+  std::vector<std::int32_t> material;               ///< index in the section's materials, by name
+  ViscousLaws viscous;                              ///< empty where no material has such a law
   double band_m = 0;  ///< thickness of a band that strain is averaged over; 0: it is not
   /// Shear rate that a rate law takes, of the point's own: a slip in one row of cells has the rate
   /// v / cell there, the band that stands for it v / band. 1 without a band.
@@ -51,18 +54,21 @@ struct LawTable {
 class LawTableBuilder {
  public:
   LawTableBuilder(const Section& section, double cell_m);
-  /// Row for a material at a point; strengths within 0.1 % of the material's largest share a row.
-  std::int32_t row(std::size_t material_index, double depth_m, double elevation_m);
+  /// Row for a material at a point; strengths within 0.1 % of the material's largest share a row,
+  /// and so do pore pressures within 50 Pa where the ground drains.
+  std::int32_t row(std::size_t material_index, double depth_m, double elevation_m,
+                   double pore_pressure = 0);
   const LawTable& table() const { return table_; }
 
  private:
-  std::int32_t add(std::size_t material_index, double peak);
+  std::int32_t add(std::size_t material_index, double peak, double pore_pressure);
   void add_viscous(const Material& material);
 
   double cell_m_;
   bool viscous_ = false;
   std::vector<const Material*> materials_;
   std::vector<std::vector<std::int32_t>> rows_;  ///< [material][strength in 0.1 % steps], -1: none
+  std::vector<std::map<long, std::int32_t>> drained_rows_;  ///< [material][pore pressure in steps]
   LawTable table_;
 };
 

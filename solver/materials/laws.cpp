@@ -64,6 +64,9 @@ Laws<Real> narrow_laws(const LawTable& t, bool softer) {
   laws.viscous = narrow<Real>(t.viscous);
   laws.rate_share = static_cast<Real>(t.rate_share);
   laws.tension = narrow<Real>(t.tension);
+  laws.sin_friction = narrow<Real>(t.sin_friction);
+  laws.pore_pressure = narrow<Real>(t.pore_pressure);
+  laws.drains = std::ranges::any_of(t.sin_friction, [](double one) { return one > 0; });
   laws.cracks = std::ranges::any_of(t.tension, [](double one) { return one < beyond_reach; });
   laws.softens = std::ranges::any_of(t.softens, [](std::int32_t one) { return one != 0; });
   laws.band = t.band_m > 0;

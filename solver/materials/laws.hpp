@@ -33,9 +33,10 @@ struct Laws {
   std::vector<Real> bulk, shear, peak;
   std::vector<Real> floor, amplitude, rate, exp_end, line_start, line_slope, line_end, last;
   ViscousRows<Real> viscous;
-  std::vector<Real> tension;
+  std::vector<Real> tension, sin_friction, pore_pressure;
   Real rate_share = 1;   ///< as in LawTable
   bool cracks = false;   ///< a row has a tensile strength
+  bool drains = false;   ///< a row has a friction angle
   bool softens = false;  ///< a row has a softening law
   bool band = false;     ///< softening goes by the strain averaged over a band
   /// Whether thin and strained ground, which would limit the time step of the whole model, gets

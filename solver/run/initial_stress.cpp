@@ -120,7 +120,7 @@ std::optional<StageEnd> find_initial_stress(RunState& run, QuietMethod method) {
   if (auto end = settle(run, statics, true, balance)) return end;
   if (auto end = settle(run, statics, false, balance)) return end;
   if (!balance.reached) {
-    run.warnings.push_back("no equilibrium at the undrained peak strength (unbalanced force " +
+    run.warnings.push_back("no equilibrium at the peak strength (unbalanced force " +
                            std::to_string(balance.ratio * 100) +
                            " % of the weight): the section slides without softening");
   }

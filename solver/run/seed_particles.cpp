@@ -94,7 +94,7 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
       p.szz = -vertical;
       p.mass = m.unit_weight / gravity * volume;
       p.volume = volume;
-      p.law = laws.row(named.index, ground - z, at.z);
+      p.law = laws.row(named.index, ground - z, at.z, u);
       p.id = static_cast<std::int32_t>(seeded.particles.size());
       seeded.particles.push_back(p);
       seeded.start_x.push_back(static_cast<float>(p.x));

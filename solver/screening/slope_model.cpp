@@ -30,7 +30,8 @@ Stratum resolve(const Section& section, const Layer& layer, bool is_last, bool d
   }
   s.unit_weight = material.unit_weight;
   s.undrained = &material.peak_strength;
-  if (drained && material.drained) {
+  s.drains = drained || material.drains;
+  if (s.drains && material.drained) {
     s.cohesion = material.drained->cohesion_Pa;
     s.tan_phi = std::tan(material.drained->friction_angle_deg * std::numbers::pi / 180);
   }
@@ -40,16 +41,15 @@ Stratum resolve(const Section& section, const Layer& layer, bool is_last, bool d
 }  // namespace
 
 SlopeModel::SlopeModel(const Section& section, Polyline present, Drainage drainage)
-    : ground(std::move(present)),
-      reference(section.ground),
-      base(section.base_m),
-      drained(drainage == Drainage::drained) {
+    : ground(std::move(present)), reference(section.ground), base(section.base_m) {
+  const bool drained = drainage == Drainage::drained;
   for (std::size_t list = 0; list < layer_lists(section); ++list) {
     const std::vector<Layer>& layers = layers_of(section, list);
     StrataFrom column;
     if (!section.columns.empty()) column.from = section.columns[list].from_m;
     for (const Layer& layer : layers) {
       column.strata.push_back(resolve(section, layer, &layer == &layers.back(), drained));
+      drains = drains || column.strata.back().drains;
     }
     most_strata = std::max(most_strata, layers.size());
     if (list > 0) steps.push_back(column.from);
@@ -95,7 +95,7 @@ void Column::move_to(double x) {
     bottoms_[i] = std::clamp(z, model_->base, highest);
   }
   bottoms_.back() = model_->base;
-  if (model_->wet && model_->drained) {
+  if (model_->wet && model_->drains) {
     water_level_ = model_->water_follows_ground ? own_ground_ - model_->water_depth : water_.at(x);
   }
 }
@@ -121,7 +121,7 @@ std::size_t Column::stratum_at(double z) const {
 
 Resistance Column::resistance_in(std::size_t index, double z) const {
   const Stratum& s = model_->columns[column_].strata[index];
-  if (!model_->drained) {
+  if (!s.drains) {
     const bool constant = s.undrained->by == Strength::By::constant;
     return {constant ? s.undrained->constant_Pa : s.undrained->at(own_ground_ - z, z), 0, 0};
   }

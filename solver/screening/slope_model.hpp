@@ -42,6 +42,7 @@ struct Stratum {
   Polyline line;
   double unit_weight = 0;
   const Strength* undrained = nullptr;  ///< s_up; unused where drained
+  bool drains = false;                  ///< strength is the drained one
   double cohesion = 0, tan_phi = 0;
 };
 
@@ -69,7 +70,7 @@ struct SlopeModel {
   double base = 0;
   std::vector<StrataFrom> columns;  ///< left to right; the first holds from the left end
   std::size_t most_strata = 0;      ///< of a column
-  bool drained = false;
+  bool drains = false;              ///< a stratum does
   bool wet = false;
   bool water_follows_ground = false;
   double water_depth = 0;

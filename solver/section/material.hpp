@@ -84,7 +84,7 @@ struct Softening {
 /// The largest cell a band can have, of its thickness (solver/kernel/band.hpp).
 inline constexpr double most_cell_of_band = 0.5;
 
-/// Effective-stress strength. Used by screening; the simulation is one of total stress.
+/// Effective-stress strength, of Mohr and Coulomb.
 struct DrainedStrength {
   double cohesion_Pa = 0;
   double friction_angle_deg = 0;
@@ -97,11 +97,15 @@ struct Material {
   Strength peak_strength;       ///< s_up
   double k0 = 0.5;              ///< ratio of effective stresses
   std::optional<DrainedStrength> drained;
+  /// Its strength in the simulation is `drained`, over the effective stress that the water table
+  /// gives, in place of s_up: sand, a weathered crust.
+  bool drains = false;
   std::optional<Softening> softening;  ///< absent: elastic, perfectly plastic
   /// Of the strength above the remolded one; absent: strength does not depend on the rate of shear.
   std::optional<RateLaw> rate;
   std::optional<RateLaw> remolded_rate;       ///< of the remolded strength; absent: none
-  std::optional<double> tensile_strength_Pa;  ///< before any softening; absent: no limit of its own
+  std::optional<double> tensile_strength_Pa;  ///< before any softening; absent: no limit of its
+                                              ///< own, and 0 of ground that drains
   std::optional<FlowLaw> flow;                ///< absent: no viscous stress beyond yield
 
   /// What is left after all softening: the part of the strength that `rate` does not act on.

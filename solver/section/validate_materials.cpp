@@ -1,6 +1,7 @@
 // Faults of materials: thesis 4.5 (moduli, K0), 2.6 (strength over depth), eqs 4-2 to 4-4.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "solver/section/fault_list.hpp"
 #include "solver/section/possible_materials.hpp"
@@ -189,8 +190,39 @@ struct FlowCheck {
   }
 };
 
+/// Mohr and Coulomb's surface ends at c' / tan(phi').
+void check_drained_tension(const Material& m, const std::string& at, FaultList& faults) {
+  const double value = *m.tensile_strength_Pa / kilo;
+  if (!faults.within(at, value, value >= 0, "at least 0 kPa") || !m.drained) return;
+  const double angle = m.drained->friction_angle_deg * std::numbers::pi / 180;
+  const double most = m.drained->cohesion_Pa / kilo / std::tan(angle);
+  if (!(value > most)) return;
+  faults.add(at, "is " + show(value) + " kPa, must be at most " + show(most) +
+                     " kPa, its cohesion over the tangent of its friction angle");
+}
+
+/// Ground that drains has the strength of `drained` and no other.
+void check_drainage(const Material& m, const std::string& at, FaultList& faults) {
+  if (!m.drained) {
+    faults.add(at + "/drainage",
+               "is \"drained\" without the strength: give drained with cohesion_kPa and "
+               "friction_angle_deg");
+  } else if (!(m.drained->friction_angle_deg > 0)) {
+    faults.add(at + "/drained/friction_angle_deg",
+               "is " + show(m.drained->friction_angle_deg) +
+                   " degrees, must be greater than 0 where drainage is \"drained\"");
+  }
+  const auto refuse = [&](bool given, const char* key) {
+    if (given) faults.add(at + key, "is given for ground that drains: it is of undrained clay");
+  };
+  refuse(m.softening.has_value(), "/softening");
+  refuse(m.rate || m.remolded_rate, "/rate");
+  refuse(m.flow.has_value(), "/flow");
+}
+
 /// Under uniaxial tension Tresca's surface ends at 2 s_up: a higher cut-off would never be reached.
 void check_tension(const Material& m, const std::string& at, FaultList& faults) {
+  if (m.drains) return check_drained_tension(m, at, faults);
   const double value = *m.tensile_strength_Pa / kilo, most = 2 * sound_peak_kPa(m.peak_strength);
   if (!faults.within(at, value, value >= 0, "at least 0 kPa") || value <= most) return;
   faults.add(at, "is " + show(value) + " kPa, must be at most twice the peak strength (" +
@@ -229,6 +261,7 @@ void check_material(const Material& m, const std::string& at, FaultList& faults)
                  "is given for ground that does not soften: it has no remolded strength");
     }
   }
+  if (m.drains) check_drainage(m, at, faults);
   if (m.tensile_strength_Pa) check_tension(m, at + "/tensile_strength_kPa", faults);
   if (m.flow) std::visit(FlowCheck{at + "/flow", faults}, *m.flow);
 }

@@ -9,7 +9,7 @@ namespace leda::solver::test {
 namespace {
 
 struct Constraint {
-  Eigen::Vector3d normal;
+  Eigen::Vector3d normal, flow;
   double most;
 };
 
@@ -17,11 +17,16 @@ struct Constraint {
 // reach 2 s.
 std::vector<Constraint> constraints_of(const YieldBody& body, const Eigen::Vector3d& trial) {
   std::vector<Constraint> all;
-  for (int i = 0; i < 3; ++i) all.push_back({Eigen::Vector3d::Unit(i), body.tension});
+  for (int i = 0; i < 3; ++i) {
+    all.push_back({Eigen::Vector3d::Unit(i), Eigen::Vector3d::Unit(i), body.tension});
+  }
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       if (i == j || trial(i) < trial(j) || (trial(i) == trial(j) && i > j)) continue;
-      all.push_back({Eigen::Vector3d::Unit(i) - Eigen::Vector3d::Unit(j), 2 * body.shear});
+      const Eigen::Vector3d high = Eigen::Vector3d::Unit(i), low = Eigen::Vector3d::Unit(j);
+      const double sin = body.sin_friction;
+      all.push_back({(1 + sin) * high - (1 - sin) * low, high - low,
+                     2 * (body.shear - body.pore_pressure * sin)});
     }
   }
   return all;
@@ -53,19 +58,20 @@ std::array<double, 3> closest_point(const std::array<double, 3>& trial, const Yi
     }
     if (active.size() > 3) continue;
     const auto n = static_cast<Eigen::Index>(active.size());
-    Matrix normals(3, n);
+    Matrix normals(3, n), flows(3, n);
     Vector beyond(n);
     for (Eigen::Index i = 0; i < n; ++i) {
       const Constraint& c = all[active[static_cast<std::size_t>(i)]];
       normals.col(i) = c.normal;
+      flows.col(i) = c.flow;
       beyond(i) = c.normal.dot(from) - c.most;
     }
-    const Matrix system = normals.transpose() * stiffness * normals;
+    const Matrix system = normals.transpose() * stiffness * flows;
     const Eigen::FullPivLU<Matrix> solver(system);
     if (!solver.isInvertible()) continue;
     const Vector multiplier = solver.solve(beyond);
     if (multiplier.minCoeff() < 0) continue;
-    const Eigen::Vector3d at = from - stiffness * (normals * multiplier);
+    const Eigen::Vector3d at = from - stiffness * (flows * multiplier);
     if (beyond_by(at) >= least) continue;
     least = beyond_by(at);
     closest = {at(0), at(1), at(2)};

@@ -24,7 +24,7 @@ Seeded layered_bank(double bands_a_metre) {
     const double share = 1 + 0.01 * static_cast<double>(i);
     LawTable& t = s.laws;
     for (auto* column : {&t.bulk, &t.shear, &t.peak, &t.floor, &t.amplitude, &t.line_start,
-                         &t.line_slope, &t.last, &t.tension}) {
+                         &t.line_slope, &t.last, &t.tension, &t.sin_friction, &t.pore_pressure}) {
       column->push_back(column->front() * share);
     }
     for (auto* column : {&t.rate, &t.exp_end, &t.line_end}) column->push_back(column->front());

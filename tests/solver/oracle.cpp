@@ -260,15 +260,22 @@ double Oracle::stress(Particle& p, const double (&e)[3], double spin, double dt,
       std::sqrt(2 * ((e[0] - m) * (e[0] - m) + (e[1] - m) * (e[1] - m) + m * m + 2 * e[2] * e[2])) /
       dt;
   const double quasi_static = strength(p, 0, false);
-  const double tension =
-      laws_.tension.empty() ? beyond_reach : laws_.tension[row] * quasi_static / laws_.peak[row];
-  double s = strength(p, rate, high - low > 2 * quasi_static || high > tension);
+  const double sin = laws_.sin_friction.empty() ? 0.0 : laws_.sin_friction[row];
+  const double pore = laws_.pore_pressure.empty() ? 0.0 : laws_.pore_pressure[row];
+  const double friction = (0.5 * (high + low) + pore) * sin;
+  const double tension = laws_.tension.empty()
+                             ? beyond_reach
+                             : laws_.tension[row] * quasi_static / laws_.peak[row] - pore;
+  const auto is_beyond = [&](double s) {
+    return high - low > 2 * (s - friction) || high > tension;
+  };
+  double s = strength(p, rate, is_beyond(quasi_static));
   std::array<double, 3> next = own;
-  if (high - low > 2 * s || high > tension) {
+  if (is_beyond(s)) {
     sums.yields = true;
     const double excess = 0.5 * (high - low) - s;
-    if (excess > 0) s += excess - g * flow_strain(p, excess, g, dt);
-    next = closest_point(own, {s, tension}, g, lame);
+    if (excess > 0 && sin == 0) s += excess - g * flow_strain(p, excess, g, dt);
+    next = closest_point(own, {s, tension, sin, pore}, g, lame);
     double square = 0, mean = 0;
     for (std::size_t i = 0; i < 3; ++i) mean += (own[i] - next[i]) / 3;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -83,6 +83,15 @@ std::vector<Scene> scenes() {
   thick_nearly.materials["clay"].poisson_ratio = 0.49;
   Section cracked = with(UrmiSoftening{0.95, 2.8, 1.8, 500, {}, {}});
   cracked.materials["clay"].tensile_strength_Pa = 12e3;
+  Section drained = with(UrmiSoftening{0.95, 2.8, 1.8, 500, {}, {}});
+  Material& sand = drained.materials["sand"] = drained.materials["clay"];
+  sand.softening.reset();
+  sand.drained = DrainedStrength{2e3, 33};
+  sand.drains = true;
+  Layer crust;
+  crust.material = "sand";
+  crust.thickness_m = 3;
+  drained.layers.insert(drained.layers.begin(), crust);
   Section all = with_rate(SemiLogarithmicRate{0.1, 1e-4});
   all.materials["clay"].flow = BinghamFlow{300};
   all.materials["clay"].tensile_strength_Pa = 12e3;
@@ -100,6 +109,7 @@ std::vector<Scene> scenes() {
       scene("band, long steps", with_band(5), {.softer = true}),
       scene("dey", with(DeySoftening{2000, 0.4, 3, 500})),
       scene("tension cut-off", cracked),
+      scene("drained crust on clay", drained),
       scene("semi-logarithmic rate", with_rate(SemiLogarithmicRate{0.1, 1e-4})),
       scene("power rate", with_rate(PowerRate{0.08, 1e-4})),
       scene("additive power rate", with_rate(AdditivePowerRate{0.3, 0.5, 1e-2})),

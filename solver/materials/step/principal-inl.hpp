@@ -20,6 +20,7 @@ template <class D>
 struct Principal {
   hn::Vec<D> in_high, in_low, apart, radius;  ///< apart = (xx - zz) / 2
   hn::Vec<D> high, low;
+  hn::Vec<D> across;  ///< the plane: yy
 };
 
 template <class D>
@@ -28,7 +29,7 @@ HWY_INLINE Principal<D> principal(D d, const PlaneStress<hn::Vec<D>>& s) {
   const auto centre = half * (s.xx + s.zz), apart = half * (s.xx - s.zz);
   const auto radius = hn::Sqrt(hn::MulAdd(apart, apart, s.xz * s.xz));
   const auto a = centre + radius, b = centre - radius;
-  return {a, b, apart, radius, hn::Max(a, s.yy), hn::Min(b, s.yy)};
+  return {a, b, apart, radius, hn::Max(a, s.yy), hn::Min(b, s.yy), s.yy};
 }
 
 /// high >= mid >= low

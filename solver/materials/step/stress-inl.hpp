@@ -42,7 +42,7 @@ HWY_INLINE auto with_parts(const Laws& laws, const Use& use) {
     if (!laws.softens) return viscous(yield, NoSoftening{});
     return laws.band ? viscous(yield, BandSoftening{}) : viscous(yield, CurveSoftening{});
   };
-  return laws.cracks ? softening(TrescaWithTension{}) : softening(Tresca{});
+  return laws.cracks || laws.drains ? softening(TrescaWithTension{}) : softening(Tresca{});
 }
 
 template <class D>
@@ -64,7 +64,7 @@ HWY_INLINE StressStep<D> next_stress(D d, P, const LawRows<D>& row, const Laws& 
   using Yield = typename P::Yield;
   const auto trial = elastic_trial(d, old, e, spin, moduli);
   const auto p = principal(d, trial);
-  auto limit = Yield::limits(d, row, laws, P::Softening::strength(d, row, laws, gamma));
+  auto limit = Yield::limits(d, row, laws, p, P::Softening::strength(d, row, laws, gamma));
   auto yields = Yield::yields(d, p, limit);
   if constexpr (P::Rate::depends) {  // a factor below 1 there is none: what stands without it
                                      // stands

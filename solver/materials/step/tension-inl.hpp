@@ -6,7 +6,7 @@
 // What cracks open is volume of the crack, not of the ground; that it closes again is not
 // remembered. T falls as s does: ground that is remolded holds no more tension than shear. Source:
 // de Souza Neto, Peric and Owen 2008, 8.1 (closest point, multisurface); Rankine's criterion as in
-// Bazant and Cedolin 1991, 10.
+// Bazant and Cedolin 1991, 10. Ground that drains has the strength s of mohr-coulomb-inl.hpp.
 
 #if defined(LEDA_SOLVER_TENSION_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef LEDA_SOLVER_TENSION_INL
@@ -16,7 +16,7 @@
 #endif
 
 #include "hwy/highway.h"
-#include "solver/materials/step/tresca-inl.hpp"
+#include "solver/materials/step/mohr-coulomb-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace leda::solver::HWY_NAMESPACE {
@@ -24,8 +24,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 struct TrescaWithTension {
   template <class D, class Laws>
-  static HWY_INLINE Limits<D> limits(D, const LawRows<D>& row, const Laws& laws, hn::Vec<D> s) {
-    return {s, row(laws.tension) * (s / row(laws.peak))};
+  static HWY_INLINE Limits<D> limits(D d, const LawRows<D>& row, const Laws& laws,
+                                     const Principal<D>& p, hn::Vec<D> s) {
+    const auto tension = row(laws.tension) * (s / row(laws.peak));
+    if (!laws.drains) return {s, tension};
+    const auto sin = row(laws.sin_friction), pore = row(laws.pore_pressure);
+    const Friction<D> friction{s, sin, pore, tension - pore};
+    const auto drains = hn::Gt(sin, hn::Zero(d));
+    return {hn::IfThenElse(drains, friction_strength(d, p, friction), s), friction.tension};
   }
 
   template <class D>

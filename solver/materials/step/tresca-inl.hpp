@@ -56,7 +56,8 @@ HWY_INLINE InOrder<D> to_tresca(D d, const InOrder<D>& p, hn::Vec<D> s) {
 struct Tresca {
   /// @param s shear strength at the laboratory's rate
   template <class D, class Laws>
-  static HWY_INLINE Limits<D> limits(D d, const LawRows<D>&, const Laws&, hn::Vec<D> s) {
+  static HWY_INLINE Limits<D> limits(D d, const LawRows<D>&, const Laws&, const Principal<D>&,
+                                     hn::Vec<D> s) {
     return {s, hn::Zero(d)};
   }
 

@@ -65,6 +65,8 @@ TEST(CaseFile, EveryKeyArrives) {
   EXPECT_EQ(c.section.layers[3].bottom_below_toe_m, 3.5);
   EXPECT_EQ(c.section.water_table->line.size(), 4U);
   EXPECT_EQ(c.section.toe, (Point{70, 5}));
+  EXPECT_TRUE(m.at("crust").drains);
+  EXPECT_FALSE(m.at("upper").drains);
   EXPECT_EQ(m.at("upper").peak_strength.by, Strength::By::depth);
   EXPECT_EQ(m.at("upper").softening->regularization, Regularization::whole_curve);
   EXPECT_EQ(std::get<UrmiSoftening>(m.at("upper").softening->law).remolded_strain, 9.1);
