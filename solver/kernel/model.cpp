@@ -262,6 +262,12 @@ void spread_anew(Model<Real>& model) {
 }
 
 template <class Real>
+void wake(Model<Real>& model) {
+  model.rest.assign(model.rest.size(), GroupRest{});
+  spread_anew(model);
+}
+
+template <class Real>
 GridSums balance_nodes(Model<Real>& model, const StepSettings& settings, ThreadTeam& team) {
   std::vector<GridSums> of(model.rest.size());
   team.run(of.size(), [&](std::size_t g) {
@@ -324,8 +330,7 @@ bool is_untidy(const Model<Real>& model) {
 
 template <class Real>
 Balances transfer_balance(Model<Real>& model) {
-  model.rest.assign(model.rest.size(), GroupRest{});
-  spread_anew(model);
+  wake(model);
   double node[3] = {}, mass = 0, x = 0, z = 0, size = 0;
   for (std::size_t column = 0; column < model.grid.columns; ++column) {
     for (std::size_t v = 0; v < 3; ++v) node[v] += plane_sum(model.grid, column, v);
@@ -358,6 +363,7 @@ Balances transfer_balance(Model<Real>& model) {
   template void take_laws(Model<Real>&, const LawTable&);                                   \
   template void spread_all(Model<Real>&);                                                   \
   template void spread_anew(Model<Real>&);                                                  \
+  template void wake(Model<Real>&);                                                         \
   template StepSums step(Model<Real>&, const StepSettings&, bool, ThreadTeam&);             \
   template PointSums move_points(Model<Real>&, const StepSettings&, bool, ThreadTeam&);     \
   template double steepest(Model<Real>&);                                                   \

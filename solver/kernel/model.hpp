@@ -71,6 +71,11 @@ void spread_all(Model<Real>& model);
 template <class Real>
 void spread_anew(Model<Real>& model);
 
+/// Steps all ground again, resting ground too.
+/// @pre as spread_all
+template <class Real>
+void wake(Model<Real>& model);
+
 /// One explicit step: momentum balance on the nodes, stress and position of the points, their sums
 /// for the next step (symplectic Euler, stress updated last). `keep`: the motion can be read
 /// afterwards. Every 32nd step keeps it too, and lays to rest the ground that has come to rest.

@@ -43,6 +43,8 @@ struct Movement {
   Point backscarp;
   Point front;
   bool far_side_dropped = false;  ///< ground beyond the toe, of another bank, went down
+
+  bool moved() const { return retrogression_m > 0 || runout_m > 0 || far_side_dropped; }
 };
 
 /// Retrogression and runout of the present state against the surface at the start.

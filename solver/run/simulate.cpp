@@ -26,10 +26,6 @@ CrestAndToe bank_of(const Section& section) {
   return bank;
 }
 
-bool moved(const Movement& m) {
-  return m.retrogression_m > 0 || m.runout_m > 0 || m.far_side_dropped;
-}
-
 // An audit that is itself not finite counts as all of the energy.
 double share(double audited) { return std::isfinite(audited) ? audited : 1.0; }
 
@@ -50,7 +46,7 @@ StageEnd trigger_and_run(RunState& run, std::string& used) {
     StageEnd end = run_stage(run, Stage::softening);
     keep_worst(run);
     const bool stands = end.why == StageEnd::Why::at_rest &&
-                        !moved(measure(run.model, run.seeded, *run.section, run.bank, run.ground));
+                        !measure(run.model, run.seeded, *run.section, run.bank, run.ground).moved();
     if (!stands || !undrained || !undrained->then_toe_cut_m) return end;
     excavate(run, toe_cut(*run.section, run.bank, *undrained->then_toe_cut_m));
   }
@@ -134,7 +130,7 @@ void fall_back(RunState& run, StageEnd& end, bool moving) {
 SectionResult result_of(RunState& run, const StageEnd& end) {
   const Movement m = measure(run.model, run.seeded, *run.section, run.bank, run.ground);
   SectionResult r;
-  r.status = status_of(end, moved(m));
+  r.status = status_of(end, m.moved());
   r.reason = end.reason;
   r.crest = run.bank.crest;
   r.toe = run.bank.toe;

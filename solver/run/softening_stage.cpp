@@ -36,6 +36,21 @@ bool at_rest(RunState& run) {
   return calm || fading;
 }
 
+// At rest there is no rate. Ground that only a rate law brought to rest, before anything to be seen
+// has moved, fails at the laboratory's strength and has not done so yet: it has that strength
+// again.
+bool goes_on_without_rate(RunState& run) {
+  if (run.rate_since < 0) return false;
+  if (measure(run.model, run.seeded, *run.section, run.bank, run.ground).moved()) return false;
+  run.rate_since = -1;
+  run.clock.still_since = -1;
+  with_model(run.model, [&](auto& model) {
+    take_laws(model, laws_now(run));
+    wake(model);
+  });
+  return true;
+}
+
 // Negative plastic work: the stress update has fed energy to the motion.
 std::optional<StageEnd> check_plastic_work(const RunState& run) {
   const double elastic = elastic_energy(run.model, run.seeded.laws);
@@ -107,7 +122,7 @@ void begin(RunState& run, StageClock::Stage stage) {
 // A look at the surface, and every fifth time at all of the state.
 std::optional<StageEnd> look_at(RunState& run, Checkpoints& checkpoints) {
   run.clock.next_look += run.slides.look_interval_s();
-  const bool rests = at_rest(run);
+  const bool rests = at_rest(run) && !goes_on_without_rate(run);
   const bool checks = ++run.clock.looks % looks_between_checks == 0 || rests;
   const bool interrupted = run.listener->interrupted && run.listener->interrupted();
   const bool saves = interrupted || checkpoints.is_due(run);

@@ -5,6 +5,7 @@
 #include <ranges>
 
 #include "solver/kernel/kernel.hpp"
+#include "solver/screening/limit_equilibrium.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {
@@ -73,6 +74,26 @@ TEST(Simulate, RateComesInWithTheSlideAndNotBefore) {
   const SectionResult stands = simulate(with_rate(bank(8, 20, 80e3)), coarse());
   EXPECT_EQ(stands.status, RunStatus::stable);
   EXPECT_FALSE(stands.rate_from_s.has_value());
+}
+
+// Limit analysis at the laboratory's strength decides whether a slope fails, whatever the rate law:
+// undrained clay that does not soften, by Bishop's factor of safety (exact here to 2 %). Without
+// more the law would hold up the weaker one after a few decimetres, as it does all that fails
+// slowly, and call it stable.
+TEST(Simulate, ARateLawChangesNothingAboutWhatFails) {
+  Section s = bank(10, 45, 30e3);
+  s.materials["clay"].softening.reset();
+  s.materials["clay"].rate = SemiLogarithmicRate{0.1, 1.4e-5};
+  const double now = *undrained_bishop(s, s.ground);
+  RunSettings settings = coarse();
+  settings.resolution.cell_m = 0.5;
+  for (const double factor : {0.85, 0.95, 1.05}) {
+    Section at = s;
+    at.materials["clay"].peak_strength.constant_Pa *= factor / now;
+    const SectionResult r = simulate(at, settings);
+    EXPECT_EQ(r.status == RunStatus::stable, factor > 1) << factor;
+    EXPECT_EQ(r.crest_to_crest_retrogression_m > 0, factor < 1) << factor;
+  }
 }
 
 TEST(Simulate, TheReferenceBalancesToRoundOff) {
