@@ -17,7 +17,7 @@ struct Dam {
 
 /// Water: rho = 1000 kg/m3, bulk modulus for a speed of sound of 20 sqrt(g H), so that density
 /// stays within about 1 %; a shear modulus of a thousandth of it, and a strength that carries a
-/// thousandth of the column's weight.
+/// thousandth of the column's weight; no tension.
 template <class Real>
 class Fluid {
  public:
@@ -30,6 +30,7 @@ class Fluid {
     t.bulk = {bulk};
     t.shear = {1e-3 * bulk};
     t.peak = t.floor = {1e-3 * density * g * d.height};
+    t.tension = {0};
     t.stiffest_speed = std::sqrt((bulk + 4.0 / 3.0 * t.shear[0]) / density);
     for (Particle& p : block.particles) {
       p.sxx = p.szz = p.syy = -density * g * (d.height - p.z);
