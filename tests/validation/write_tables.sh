@@ -48,7 +48,7 @@ ask() { sqlite3 -init "$scratch/views.sql" :memory: "$1" 2>&1; }
 
 rows_of() {
   case $1 in
-    landslide | blind) ask "SELECT '| ' || coalesce(label, shown.name) || ' | ' || coalesce(field, '') || ' | '
+    landslide | blind | blind-ground) ask "SELECT '| ' || coalesce(label, shown.name) || ' | ' || coalesce(field, '') || ' | '
         || coalesce(thesis, '') || ' | ' || R || ' / ' || L || ' / ' || Lc || ' | ' || slides || ' | '
         || rest || ' | ' || run_time || ' | ' || energy || ' | ' || warnings || ' |'
       FROM shown LEFT JOIN published USING (grp, name) WHERE grp = '$1' ORDER BY place" ;;
