@@ -1,4 +1,4 @@
-// leda study: one section over cell sizes, particles and seeds; error against run time.
+// leda study: one section over cell sizes, particles, time steps and seeds; error against run time.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -26,12 +26,13 @@ namespace fs = std::filesystem;
 constexpr const char* footer = R"(
 STUDY.json:
   {"name": "bank", "case_file": "bank.json", "cell_m": [0.75, 1, 1.5],
-   "particles_per_cell": [4, 9], "seeds": 3,
+   "particles_per_cell": [4, 9], "time_step_factor": [0.65, 0.9], "seeds": 3,
    "reference": {"retrogression_m": 100, "runout_m": 52, "source": "field survey"},
    "wanted_error": 0.1, "workers": 2}
-case_file is relative to STUDY.json; "case" with a case in its place works too. "reference" may be
-"finest". Leaves study.json, study.csv and study.svg in DIR, and every run under DIR/runs. A study
-that was interrupted goes on where it was: runs that stand in DIR are not run again.
+time_step_factor (of h / c_p) may be left out: the case's own. case_file is relative to STUDY.json;
+"case" with a case in its place works too. "reference" may be "finest". Leaves study.json, study.csv
+and study.svg in DIR, and every run under DIR/runs. A study that was interrupted goes on where it
+was: runs that stand in DIR are not run again.
 Run times are wall times: let nothing else run on the machine, and no more workers than cores.
 Exit codes: 0 the study stands, 1 no run gave a result, 2 the study is invalid, 4 interrupted.)";
 

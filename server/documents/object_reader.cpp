@@ -180,6 +180,13 @@ void ObjectReader::refuse_unknown() {
   }
 }
 
+int read_count(ObjectReader& reader, const char* key, int absent, int most, FaultList& faults) {
+  const std::int64_t count = reader.integer_or(key, absent);
+  if (count <= most) return int(count);
+  faults.add(reader.at(key), fmt::format("is {}, must be at most {}", count, most));
+  return absent;
+}
+
 void add_new_faults(std::vector<Fault>& faults, std::vector<Fault> more) {
   const std::size_t already = faults.size();
   for (Fault& fault : more) {

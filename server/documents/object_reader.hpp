@@ -67,6 +67,9 @@ class ObjectReader {
   std::vector<std::string> known_;
 };
 
+/// A whole number from 0 to `most`; `absent` where it is absent or at fault.
+int read_count(ObjectReader& reader, const char* key, int absent, int most, FaultList& faults);
+
 /// Adds to `faults` those of `more` that are not about a value (or a part or a whole of one) that
 /// is at fault already: a value that could not be read would only be found wrong again.
 void add_new_faults(std::vector<Fault>& faults, std::vector<Fault> more);

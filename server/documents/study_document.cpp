@@ -4,10 +4,15 @@
 
 #include <utility>
 
+#include "server/documents/study_setting.hpp"
+
 namespace leda::server {
 namespace {
 
 using nlohmann::json;
+using solver::Dependence;
+using solver::DependenceByAxis;
+using solver::DependenceOfDistances;
 using solver::Measure;
 using solver::RunError;
 using solver::SettingSummary;
@@ -24,21 +29,42 @@ json to_json(const std::optional<Spread>& spread) {
           {"max", spread->most}};
 }
 
+/// @param metres what its number of metres is called
+json to_json(const std::optional<Dependence>& dependence, const char* metres) {
+  if (!dependence) return nullptr;
+  return {{metres, dependence->metres},
+          {"share", or_null(dependence->share)},
+          {"settings", dependence->settings}};
+}
+
+json to_json(const DependenceOfDistances& of, const char* metres) {
+  return {{"retrogression", to_json(of.retrogression, metres)},
+          {"runout", to_json(of.runout, metres)}};
+}
+
+json to_json(const DependenceByAxis& by_axis) {
+  json out;
+  for (std::size_t i = 0; i < by_axis.size(); ++i) {
+    out[solver::study_axes[i].key] = to_json(by_axis[i], "difference_m");
+  }
+  return out;
+}
+
 json setting_document(const SettingSummary& s) {
-  json out{{"cell_m", s.setting.cell_m},
-           {"particles_per_cell", s.setting.particles_per_cell},
-           {"runs", s.runs},
-           {"runs_with_result", s.with_result},
-           {"crest_to_crest_retrogression_m", to_json(s.retrogression_m)},
-           {"runout_m", to_json(s.runout_m)},
-           {"slides", to_json(s.slides)},
-           {"simulated_s", to_json(s.simulated_s)},
-           {"run_time_s", to_json(s.run_time_s)},
-           {"cost_s", or_null(s.cost_s)},
-           {"ns_per_particle_step", to_json(s.ns_per_particle_step)},
-           {"energy_error", to_json(s.energy_error)},
-           {"is_reference", s.is_reference},
-           {"not_a_choice", s.not_a_choice}};
+  json out = to_document(s.setting);
+  out.update({{"runs", s.runs},
+              {"runs_with_result", s.with_result},
+              {"crest_to_crest_retrogression_m", to_json(s.retrogression_m)},
+              {"runout_m", to_json(s.runout_m)},
+              {"slides", to_json(s.slides)},
+              {"simulated_s", to_json(s.simulated_s)},
+              {"run_time_s", to_json(s.run_time_s)},
+              {"cost_s", or_null(s.cost_s)},
+              {"ns_per_particle_step", to_json(s.ns_per_particle_step)},
+              {"energy_error", to_json(s.energy_error)},
+              {"is_reference", s.is_reference},
+              {"not_a_choice", s.not_a_choice},
+              {"dependence", to_json(s.dependence)}});
   for (const Measure measure : solver::measures) {
     const auto& judged = s.by(measure);
     out["error"][solver::to_string(measure)] = {
@@ -49,16 +75,15 @@ json setting_document(const SettingSummary& s) {
   return out;
 }
 
-json run_document(const StudyRun& run, const RunError& error) {
-  json out{{"name", run_name(run.resolution)},
-           {"cell_m", run.resolution.cell_m},
-           {"particles_per_cell", run.resolution.particles_per_cell},
-           {"seed", run.resolution.seed},
-           {"status", run.result ? to_string(run.result->status) : "no-result"},
-           {"reason", run.result ? run.result->reason : run.reason},
-           {"retrogression_error", or_null(error.retrogression)},
-           {"runout_error", or_null(error.runout)},
-           {"error", or_null(error.of(Measure::both))}};
+json run_document(const CaseFile& of, const StudyRun& run, const RunError& error) {
+  json out = to_document(run.setting);
+  out.update({{"name", run_name(of, run)},
+              {"seed", run.seed},
+              {"status", run.result ? to_string(run.result->status) : "no-result"},
+              {"reason", run.result ? run.result->reason : run.reason},
+              {"retrogression_error", or_null(error.retrogression)},
+              {"runout_error", or_null(error.runout)},
+              {"error", or_null(error.of(Measure::both))}});
   if (!run.result) return out;
   const SectionResult& r = *run.result;
   out.update({{"crest_to_crest_retrogression_m", r.crest_to_crest_retrogression_m},
@@ -87,9 +112,7 @@ json reference_document(const Study& study) {
            {"source", reference->source},
            {"setting", nullptr}};
   if (const auto index = study.summary.reference_index) {
-    const auto& setting = study.summary.settings[*index].setting;
-    out["setting"] = {{"cell_m", setting.cell_m},
-                      {"particles_per_cell", setting.particles_per_cell}};
+    out["setting"] = to_document(study.summary.settings[*index].setting);
   }
   return out;
 }
@@ -97,11 +120,11 @@ json reference_document(const Study& study) {
 json fastest_document(const Study& study, Measure measure, std::optional<std::size_t> index) {
   if (!index) return nullptr;
   const SettingSummary& s = study.summary.settings[*index];
-  return {{"cell_m", s.setting.cell_m},
-          {"particles_per_cell", s.setting.particles_per_cell},
-          {"cost_s", *s.cost_s},
-          {"error", s.by(measure).error->mean},
-          {"error_standard_deviation", or_null(s.by(measure).error->standard_deviation)}};
+  json out = to_document(s.setting);
+  out.update({{"cost_s", *s.cost_s},
+              {"error", s.by(measure).error->mean},
+              {"error_standard_deviation", or_null(s.by(measure).error->standard_deviation)}});
+  return out;
 }
 
 std::string quoted(const std::string& text) {
@@ -137,9 +160,11 @@ json to_document(const Study& study) {
            {"setting_scatter",
             {{"retrogression", or_null(study.summary.scatter_retrogression)},
              {"runout", or_null(study.summary.scatter_runout)}}},
+           {"dependence", to_json(study.summary.dependence)},
            {"settings", json::array()},
            {"runs", json::array()},
            {"outcome", study_outcome(study)}};
+  out["dependence"]["seed"] = to_json(study.summary.dependence_on_seed, "standard_deviation_m");
   for (const Measure measure : solver::measures) {
     const auto& fastest = study.summary.fastest_by(measure);
     out["fastest_within_wanted_error"][solver::to_string(measure)] = {
@@ -150,21 +175,23 @@ json to_document(const Study& study) {
     out["settings"].push_back(setting_document(setting));
   }
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
-    out["runs"].push_back(run_document(study.runs[i], study.summary.errors[i]));
+    out["runs"].push_back(run_document(study.asked.of, study.runs[i], study.summary.errors[i]));
   }
   return out;
 }
 
 std::string study_csv(const Study& study) {
-  std::string text =
-      "cell_m,particles_per_cell,seed,status,crest_to_crest_retrogression_m,runout_m,slides,"
+  std::string text;
+  for (const auto& axis : solver::study_axes) text += fmt::format("{},", axis.key);
+  text +=
+      "seed,status,crest_to_crest_retrogression_m,runout_m,slides,"
       "simulated_s,run_time_s,steps,particles,ns_per_particle_step,energy_error,"
       "retrogression_error,runout_error,error,reason\r\n";
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
     const StudyRun& run = study.runs[i];
     const RunError& error = study.summary.errors[i];
-    text += fmt::format("{},{},{},", run.resolution.cell_m, run.resolution.particles_per_cell,
-                        run.resolution.seed);
+    for (const auto& axis : solver::study_axes) text += fmt::format("{},", axis.value(run.setting));
+    text += fmt::format("{},", run.seed);
     if (run.result) {
       const SectionResult& r = *run.result;
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},", to_string(r.status),

@@ -26,14 +26,14 @@ nlohmann::json to_document(const Study& study);
 /// One line a run, units in the names of the columns; texts in quotes (RFC 4180).
 std::string study_csv(const Study& study);
 
-/// One line a setting, then what it comes to, a sentence a line.
+/// One line a setting, one an axis, then what it comes to, a sentence a line.
 std::string study_table(const Study& study);
 
 /// What it comes to: the fastest setting within the wanted error by both distances and by each of
-/// them, and the floor.
+/// them, the floor, and how far the answer depends on each axis and on the seed.
 std::vector<std::string> study_outcome(const Study& study);
 
-/// "1.5 m, 4 particles"
-std::string setting_name(const solver::StudySetting& setting);
+/// "1.5 m, 4 particles"; with its time step where the study asks for another than the case's own
+std::string setting_name(const Study& study, const solver::StudySetting& setting);
 
 }  // namespace leda::server

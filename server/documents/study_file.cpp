@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "server/documents/execute_options.hpp"
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/object_reader.hpp"
 #include "server/documents/published_schema.hpp"
+#include "server/documents/study_grid.hpp"
+#include "server/documents/study_setting.hpp"
 
 namespace leda::server {
 namespace {
@@ -20,116 +20,29 @@ using nlohmann::json;
 using solver::StudyReference;
 using solver::StudySetting;
 
-constexpr std::array particle_counts{1, 4, 9, 16, 25};
-constexpr std::size_t most_values = 20;
-constexpr int most_seeds = 50;
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+/// Where the case cannot be read: no value that a study may ask for, so that none equals it.
+constexpr StudySetting unknown_setting{0, 0, 0};
 
-/// A setting, and where the document asks for its cell size.
-struct Asked {
-  StudySetting setting;
-  std::string cell_at;
-};
-
-void check_particles(const std::string& at, double count, FaultList& faults) {
-  if (std::isnan(count)) return;
-  if (std::ranges::find(particle_counts, count) != particle_counts.end()) return;
-  faults.add(at, "is " + show(count) + ", must be one of 1, 4, 9, 16, 25");
+/// @param own names tell the time step where it is another
+std::string name_of(const AskedSetting& asked, const StudySetting& own) {
+  const StudySetting& setting = asked.repeated.setting;
+  return setting_name(setting, setting.time_step_factor != own.time_step_factor);
 }
 
-/// A list of different numbers; those at fault are NaN.
-std::vector<double> read_numbers(ObjectReader& reader, const char* key, FaultList& faults) {
-  const json* value = reader.require(key);
-  if (!value) return {};
-  const std::string at = reader.at(key);
-  if (!value->is_array() || value->empty() || value->size() > most_values) {
-    faults.add(at, fmt::format("is {}, must be a list of 1 to {} numbers",
-                               value->is_array() ? fmt::format("a list of {}", value->size())
-                                                 : kind_of(*value),
-                               most_values));
-    return {};
-  }
-  std::vector<double> numbers;
-  for (std::size_t i = 0; i < value->size(); ++i) {
-    const std::string here = fmt::format("{}/{}", at, i);
-    const double number = read_number((*value)[i], here, faults);
-    if (std::ranges::find(numbers, number) != numbers.end()) {
-      faults.add(here, "is " + show(number) + " again: every value once");
-      numbers.push_back(not_a_number);  // keeps the places of those after it
-      continue;
-    }
-    numbers.push_back(number);
-  }
-  return numbers;
-}
-
-int read_count(ObjectReader& reader, const char* key, int absent, int most, FaultList& faults) {
-  const std::int64_t count = reader.integer_or(key, absent);
-  if (count <= most) return int(count);
-  faults.add(reader.at(key), fmt::format("is {}, must be at most {}", count, most));
-  return absent;
-}
-
-void read_also(ObjectReader& reader, int seeds, std::vector<Asked>& asked, FaultList& faults) {
-  const json* value = reader.find("also");
-  if (!value) return;
-  const std::string at = reader.at("also");
-  if (!value->is_array() || value->size() > most_values) {
-    faults.add(at, fmt::format("must be a list of at most {} settings", most_values));
-    return;
-  }
-  for (std::size_t i = 0; i < value->size(); ++i) {
-    ObjectReader item((*value)[i], fmt::format("{}/{}", at, i), faults);
-    if (!item.is_object()) continue;
-    const double cell = item.number("cell_m");
-    faults.positive(item.at("cell_m"), cell, "m");
-    const double particles = item.number("particles_per_cell");
-    check_particles(item.at("particles_per_cell"), particles, faults);
-    const int own_seeds = read_count(item, "seeds", seeds, most_seeds, faults);
-    item.refuse_unknown();
-    if (!(cell > 0) || !(particles >= 1 && particles <= 25)) continue;
-    asked.push_back({{cell, int(particles), own_seeds}, item.at("cell_m")});
-  }
-}
-
-std::vector<Asked> read_settings_of_study(ObjectReader& reader, FaultList& faults) {
-  const auto cells = read_numbers(reader, "cell_m", faults);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!std::isnan(cells[i])) {
-      faults.positive(fmt::format("{}/{}", reader.at("cell_m"), i), cells[i], "m");
-    }
-  }
-  const auto particles = read_numbers(reader, "particles_per_cell", faults);
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    check_particles(fmt::format("{}/{}", reader.at("particles_per_cell"), i), particles[i], faults);
-  }
-  const int seeds = read_count(reader, "seeds", 3, most_seeds, faults);
-  std::vector<Asked> asked;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    for (const double count : particles) {
-      if (!(cells[i] > 0) || !(count >= 1 && count <= 25)) continue;
-      asked.push_back(
-          {{cells[i], int(count), seeds}, fmt::format("{}/{}", reader.at("cell_m"), i)});
-    }
-  }
-  read_also(reader, seeds, asked, faults);
-  return asked;
-}
-
-void check_settings(const std::vector<Asked>& asked, const std::string& at, FaultList& faults) {
+/// @return whether the runs are few enough to look at each
+bool check_settings(const std::vector<AskedSetting>& asked, const StudySetting& own,
+                    const std::string& at, FaultList& faults) {
   std::size_t runs = 0;
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    runs += std::size_t(asked[i].setting.seeds) + 1;
+    runs += std::size_t(asked[i].repeated.seeds) + 1;
     for (std::size_t j = 0; j < i; ++j) {
-      const auto &a = asked[i].setting, &b = asked[j].setting;
-      if (a.cell_m != b.cell_m || a.particles_per_cell != b.particles_per_cell) continue;
-      faults.add(asked[i].cell_at, fmt::format("{} m with {} particles a cell is asked for twice",
-                                               show(a.cell_m), a.particles_per_cell));
+      if (asked[i].repeated.setting != asked[j].repeated.setting) continue;
+      faults.add(asked[i].at.front(), name_of(asked[i], own) + " is asked for twice");
     }
   }
-  if (runs > most_study_runs) {
-    faults.add(at, fmt::format("asks for {} runs, must be at most {}", runs, most_study_runs));
-  }
+  if (runs <= most_study_runs) return true;
+  faults.add(at, fmt::format("asks for {} runs, must be at most {}", runs, most_study_runs));
+  return false;
 }
 
 std::optional<StudyReference> read_reference(ObjectReader& reader, FaultList& faults) {
@@ -158,20 +71,21 @@ std::optional<StudyReference> read_reference(ObjectReader& reader, FaultList& fa
   return reference;
 }
 
-/// What a resolution does to the case, too many particles for example, is told of its cell size.
-void check_resolutions(const StudyFile& study, const std::vector<Asked>& asked,
-                       const std::string& case_at, FaultList& faults) {
+/// What a setting does to the case is told where the study asks for it. Where the case cannot be
+/// read, what settings alone do wrong is told all the same.
+void check_against_case(const CaseFile* of, const std::vector<AskedSetting>& asked,
+                        const std::string& case_at, FaultList& faults) {
+  const StudySetting own = of ? own_setting(*of) : unknown_setting;
   std::set<std::string> told;
-  for (const Asked& one : asked) {
-    const CaseFile run =
-        case_of(study, {one.setting.cell_m, one.setting.particles_per_cell, std::uint64_t{0}});
-    for (const Fault& fault : validate(run.section, run.settings)) {
-      const bool of_resolution = fault.pointer.starts_with("/resolution");
-      const std::string pointer = of_resolution ? one.cell_at : case_at + fault.pointer;
-      if (told.insert(pointer).second) {
-        faults.add(pointer, fmt::format("{} (cell {} m, {} particles)", fault.message,
-                                        show(one.setting.cell_m), one.setting.particles_per_cell));
-      }
+  for (const AskedSetting& one : asked) {
+    const CaseFile run = case_of(of ? *of : CaseFile{}, {one.repeated.setting, 0, {}, ""});
+    for (const Fault& fault :
+         of ? validate(run.section, run.settings) : validate_settings(run.settings)) {
+      std::string pointer = place_of(one, fault.pointer);
+      if (pointer.empty() && !of) continue;
+      if (pointer.empty()) pointer = case_at + fault.pointer;
+      if (!told.insert(pointer).second) continue;
+      faults.add(pointer, fmt::format("{} (cell {})", fault.message, name_of(one, own)));
     }
   }
 }
@@ -224,9 +138,10 @@ Parsed<StudyFile> read_study(const json& document, const std::string& at,
   study.name = reader.text("name");
   std::string case_at;
   auto of = read_case(reader, read_file, case_at, list);
-  const auto asked = read_settings_of_study(reader, list);
-  check_settings(asked, at, list);
-  for (const Asked& one : asked) study.question.settings.push_back(one.setting);
+  const StudySetting own = of ? own_setting(*of.value) : unknown_setting;
+  const auto asked = read_study_grid(reader, own, list);
+  const bool few = check_settings(asked, own, at, list);
+  for (const AskedSetting& one : asked) study.question.settings.push_back(one.repeated);
   study.question.reference = read_reference(reader, list);
   study.question.wanted_error = reader.number_or("wanted_error", study.question.wanted_error);
   if (const double e = study.question.wanted_error; !std::isnan(e)) {
@@ -237,10 +152,8 @@ Parsed<StudyFile> read_study(const json& document, const std::string& at,
     study.machine = read_text(*machine, reader.at("machine"), 200, list);
   }
   reader.refuse_unknown();
-  if (of) {
-    study.of = std::move(*of.value);
-    check_resolutions(study, asked, case_at, list);
-  }
+  if (few) check_against_case(of ? &*of.value : nullptr, asked, case_at, list);
+  if (of) study.of = std::move(*of.value);
   auto faults = list.take();
   add_new_faults(faults, std::move(of.faults));
   if (faults.empty()) faults = faults_of_schema(document, study, at);
@@ -272,15 +185,10 @@ Parsed<StudyFile> parse_study_request(std::string_view text) {
   return result;
 }
 
-CaseFile case_of(const StudyFile& study, const Resolution& resolution) {
-  CaseFile run = study.of;
-  run.settings.resolution = resolution;
-  run.settings.output = Output{};
-  return run;
-}
-
-std::string run_name(const Resolution& r) {
-  return fmt::format("cell-{}-particles-{}-seed-{}", r.cell_m, r.particles_per_cell, r.seed);
+bool tells_time_step(const StudyFile& study) {
+  return std::ranges::any_of(study.question.settings, [&](const auto& asked) {
+    return asked.setting.time_step_factor != study.of.settings.time_step_factor;
+  });
 }
 
 }  // namespace leda::server

@@ -1,5 +1,5 @@
 #pragma once
-// The request for a study: one case, and the resolutions to run it at. As a file for `leda study`
+// The request for a study: one case, and the settings to run it at. As a file for `leda study`
 // and as the inputs of the process resolution-study. Published schema:
 // schema/resolution-study-request.json; format: README.md of this folder.
 
@@ -17,7 +17,7 @@ inline constexpr std::size_t most_study_runs = 1000;
 
 struct StudyFile {
   std::string name;
-  CaseFile of;  ///< as given; its own resolution is not run
+  CaseFile of;  ///< as given; a setting takes the place of its resolution and time step
   solver::StudyQuestion question;
   int workers = 1;      ///< runs at the same time; 0: one a core
   std::string machine;  ///< where it runs, in the user's words; empty: not said
@@ -33,10 +33,8 @@ Parsed<StudyFile> parse_study_file(std::string_view text, const CaseReader& read
 /// The body of resolution-study: {"inputs": {...}}; neither "case_file" nor "workers".
 Parsed<StudyFile> parse_study_request(std::string_view text);
 
-/// One run of the study: its case with this resolution, first and last frame only.
-CaseFile case_of(const StudyFile& study, const Resolution& resolution);
-
-/// "cell-0.75-particles-4-seed-1": a name for a section, and for a folder.
-std::string run_name(const Resolution& resolution);
+/// Whether names of its settings tell the time step: some setting takes another than the case's
+/// own.
+bool tells_time_step(const StudyFile& study);
 
 }  // namespace leda::server

@@ -1,11 +1,16 @@
 // A study in words: for the terminal, and as "outcome" of study.json.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "server/documents/study_document.hpp"
+#include "server/documents/study_setting.hpp"
 
 namespace leda::server {
 namespace {
 
+using solver::Dependence;
+using solver::DependenceOfDistances;
 using solver::Measure;
 using solver::SettingSummary;
 using solver::Spread;
@@ -35,7 +40,7 @@ const char* subject(Measure measure) {
 std::string best_of(const Study& study, Measure measure, std::optional<std::size_t> index) {
   if (!index) return "none";
   const SettingSummary& s = study.summary.settings[*index];
-  return fmt::format("{} (error {}, {:.1f} s)", setting_name(s.setting),
+  return fmt::format("{} (error {}, {:.1f} s)", setting_name(study, s.setting),
                      percent(s.by(measure).error->mean), *s.cost_s);
 }
 
@@ -71,6 +76,57 @@ std::string floor_sentence(const Study& study) {
       part("runout", study.summary.floor_runout));
 }
 
+/// "23.0 m (19.6 %)" where the unit is " m"
+std::string short_form(const std::optional<Dependence>& dependence, const char* unit,
+                       const char* absent) {
+  if (!dependence) return absent;
+  const auto& share = dependence->share;
+  return fmt::format("{:.1f}{}{}", dependence->metres, unit,
+                     share ? fmt::format(" ({})", percent(*share)) : "");
+}
+
+std::string dependence_of(const Study& study,
+                          std::optional<Dependence> DependenceOfDistances::*distance) {
+  const auto part_of = [&](const std::string& name, const DependenceOfDistances& of) {
+    return name + " " + short_form(of.*distance, " m", "not compared");
+  };
+  std::string text;
+  for (std::size_t i = 0; i < solver::study_axes.size(); ++i) {
+    text += part_of(solver::study_axes[i].name, study.summary.dependence[i]) + ", ";
+  }
+  return text + part_of("seed", study.summary.dependence_on_seed);
+}
+
+std::string dependence_sentence(const Study& study) {
+  return fmt::format(
+      "the answer depends (largest difference of means along one axis, the others held; seed: "
+      "standard deviation) in retrogression on {}; in runout on {}",
+      dependence_of(study, &DependenceOfDistances::retrogression),
+      dependence_of(study, &DependenceOfDistances::runout));
+}
+
+/// Of the first column, at least as wide as names without a time step need.
+std::size_t width_of_names(const Study& study) {
+  std::size_t width = 20;
+  for (const SettingSummary& s : study.summary.settings) {
+    width = std::max(width, setting_name(study, s.setting).size());
+  }
+  return width;
+}
+
+/// Under the columns of the two distances.
+std::string dependence_rows(const Study& study, std::size_t width) {
+  const auto row = [&](const std::string& name, const DependenceOfDistances& of) {
+    return fmt::format("{:<{}}{:>5}  {:>16}{:>16}\n", "depends on " + name, width, "",
+                       short_form(of.retrogression, "", "-"), short_form(of.runout, "", "-"));
+  };
+  std::string text;
+  for (std::size_t i = 0; i < solver::study_axes.size(); ++i) {
+    text += row(solver::study_axes[i].name, study.summary.dependence[i]);
+  }
+  return text + row("seed", study.summary.dependence_on_seed);
+}
+
 bool is_compared(const Study& study, Measure measure) {
   const auto& reference = study.summary.reference;
   if (!reference) return false;
@@ -82,9 +138,8 @@ bool is_compared(const Study& study, Measure measure) {
 
 }  // namespace
 
-std::string setting_name(const solver::StudySetting& setting) {
-  return fmt::format("{} m, {} particle{}", setting.cell_m, setting.particles_per_cell,
-                     setting.particles_per_cell == 1 ? "" : "s");
+std::string setting_name(const Study& study, const solver::StudySetting& setting) {
+  return setting_name(setting, tells_time_step(study.asked));
 }
 
 std::vector<std::string> study_outcome(const Study& study) {
@@ -97,20 +152,23 @@ std::vector<std::string> study_outcome(const Study& study) {
   }
   sentences.push_back(floor_sentence(study));
   sentences.push_back(scatter_sentence(study));
+  sentences.push_back(dependence_sentence(study));
   return sentences;
 }
 
 std::string study_table(const Study& study) {
+  const std::size_t width = width_of_names(study);
   std::string text =
-      fmt::format("{:<20}{:>5}  {:>16}{:>16}{:>17}{:>9}{:>17}  {}\n", "setting", "runs",
+      fmt::format("{:<{}}{:>5}  {:>16}{:>16}{:>17}{:>9}{:>17}  {}\n", "setting", width, "runs",
                   "retrogression m", "runout m", "run time s", "cost s", "error %", "");
   for (const SettingSummary& s : study.summary.settings) {
-    text += fmt::format("{:<20}{:>5}  {:>16}{:>16}{:>17}{:>9}{:>17}  {}\n", setting_name(s.setting),
-                        s.runs, short_form(s.retrogression_m, 1, 1), short_form(s.runout_m, 1, 1),
-                        short_form(s.run_time_s, 1, 1),
-                        s.cost_s ? fmt::format("{:.1f}", *s.cost_s) : "-",
-                        short_form(s.by(Measure::both).error, 100, 1), s.not_a_choice);
+    text += fmt::format(
+        "{:<{}}{:>5}  {:>16}{:>16}{:>17}{:>9}{:>17}  {}\n", setting_name(study, s.setting), width,
+        s.runs, short_form(s.retrogression_m, 1, 1), short_form(s.runout_m, 1, 1),
+        short_form(s.run_time_s, 1, 1), s.cost_s ? fmt::format("{:.1f}", *s.cost_s) : "-",
+        short_form(s.by(Measure::both).error, 100, 1), s.not_a_choice);
   }
+  text += dependence_rows(study, width);
   for (const std::string& one : study_outcome(study)) text += one + "\n";
   return text;
 }

@@ -15,7 +15,7 @@ using solver::SettingSummary;
 
 constexpr double panel_width = 400, panel_height = 380;
 constexpr double left = 74, top = 78, between = 74, legend_width = 220, below = 62;
-constexpr double mark_size = 6;
+constexpr double mark_size = 6, smallest_mark = 4.5, largest_mark = 9;
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -58,12 +58,11 @@ std::string colour_of(double share) {
   return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
-/// Shapes of the numbers of particles; all of about one area.
-std::string mark(double x, double y, int particles, const std::string& fill,
+/// Shapes of the numbers of particles; all of about one area at one size.
+std::string mark(double x, double y, int particles, double s, const std::string& fill,
                  const std::string& stroke) {
   const std::string style =
       fmt::format("fill=\"{}\" stroke=\"{}\" stroke-width=\"1.8\"", fill, stroke);
-  const double s = mark_size;
   const auto path = [&](const std::string& d) {
     return fmt::format("<path d=\"M{:.1f} {:.1f}{}Z\" {}/>\n", x, y, d, style);
   };
@@ -159,16 +158,48 @@ std::string level(const Panel& panel, double percent, const std::string& name, c
                  " fill=\"#b00020\" font-size=\"11\"");
 }
 
+/// Share of the way from the first to the last of the values.
+template <class Value>
+double rank(const std::set<Value>& values, Value value) {
+  if (values.size() < 2) return 0;
+  const auto at = std::distance(values.begin(), values.find(value));
+  return double(at) / double(values.size() - 1);
+}
+
+/// What tells settings apart.
+struct Look {
+  std::set<double> cells;
+  std::set<int> particles;
+  std::set<double> steps;  ///< none where names do not tell them
+  std::string colour(double cell_m) const { return colour_of(rank(cells, cell_m)); }
+  double size(double step) const {
+    if (steps.size() < 2) return mark_size;
+    return smallest_mark + rank(steps, step) * (largest_mark - smallest_mark);
+  }
+};
+
+Look look_of(const Study& study) {
+  const bool with_steps = tells_time_step(study.asked);
+  Look look;
+  for (const SettingSummary& s : study.summary.settings) {
+    look.cells.insert(s.setting.cell_m);
+    look.particles.insert(s.setting.particles_per_cell);
+    if (with_steps) look.steps.insert(s.setting.time_step_factor);
+  }
+  return look;
+}
+
 /// Whiskers and mark of one setting; nothing where it has no usable run.
-std::string setting_mark(const Panel& panel, const SettingSummary& s, const std::string& colour) {
+std::string setting_mark(const Panel& panel, const SettingSummary& s, const Look& look) {
   const auto& error = s.by(panel.measure).error;
   if (!error) return "";
+  const std::string colour = look.colour(s.setting.cell_m);
   const double x = panel.x(*s.cost_s), y = panel.y(100 * error->mean);
   const std::string thin = fmt::format("stroke=\"{}\" stroke-width=\"1.2\"", colour);
   std::string out = line(x, panel.y(100 * error->least), x, panel.y(100 * error->most), thin) +
                     line(panel.x(s.run_time_s->least), y, panel.x(s.run_time_s->most), y, thin);
-  return out + mark(x, y, s.setting.particles_per_cell, s.not_a_choice.empty() ? colour : "#ffffff",
-                    colour);
+  return out + mark(x, y, s.setting.particles_per_cell, look.size(s.setting.time_step_factor),
+                    s.not_a_choice.empty() ? colour : "#ffffff", colour);
 }
 
 std::string ring(const Panel& panel, const Study& study) {
@@ -181,18 +212,10 @@ std::string ring(const Panel& panel, const Study& study) {
       panel.x(*s.cost_s), panel.y(100 * s.by(panel.measure).error->mean));
 }
 
-struct Look {
-  std::set<double> cells;
-  std::set<int> particles;
-  std::string colour(double cell_m) const {
-    const auto at = std::distance(cells.begin(), cells.find(cell_m));
-    return colour_of(cells.size() < 2 ? 0.0 : double(at) / double(cells.size() - 1));
-  }
-};
-
-std::string legend(const Look& look, double x) {
-  double y = top + 12;
-  std::string out = text_at(x, y, "start", "cell size", " font-weight=\"bold\"");
+/// Cell sizes, numbers of particles, and time steps where there are some.
+std::string legend_of_axes(const Look& look, double x, double& y) {
+  constexpr const char* bold = " font-weight=\"bold\"";
+  std::string out = text_at(x, y, "start", "cell size", bold);
   for (const double cell : look.cells) {
     y += 20;
     out += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"18\" height=\"11\" fill=\"{}\"/>\n",
@@ -200,14 +223,28 @@ std::string legend(const Look& look, double x) {
     out += text_at(x + 26, y, "start", fmt::format("{:g} m", cell));
   }
   y += 34;
-  out += text_at(x, y, "start", "particles per cell", " font-weight=\"bold\"");
+  out += text_at(x, y, "start", "particles per cell", bold);
   for (const int count : look.particles) {
     y += 21;
-    out += mark(x + 9, y - 4, count, "#777777", "#777777");
+    out += mark(x + 9, y - 4, count, mark_size, "#777777", "#777777");
     out += text_at(x + 26, y, "start", fmt::format("{}", count));
   }
+  if (look.steps.empty()) return out;
   y += 34;
-  out += mark(x + 9, y - 4, 4, "#ffffff", "#777777");
+  out += text_at(x, y, "start", "time step factor", bold);
+  for (const double step : look.steps) {
+    y += 21;
+    out += mark(x + 9, y - 4, 4, look.size(step), "#777777", "#777777");
+    out += text_at(x + 26, y, "start", fmt::format("{:g}", step));
+  }
+  return out;
+}
+
+std::string legend(const Look& look, double x) {
+  double y = top + 12;
+  std::string out = legend_of_axes(look, x, y);
+  y += 34;
+  out += mark(x + 9, y - 4, 4, mark_size, "#ffffff", "#777777");
   out += text_at(x + 26, y, "start", "no choice: at the edge, not at");
   out += text_at(x + 26, y + 14, "start", "rest, unstable, the reference");
   y += 42;
@@ -241,7 +278,7 @@ std::string draw(const Panel& panel, const Study& study, const Look& look) {
                             : study.summary.scatter_runout;
   if (scatter) out += level(panel, 100 * *scatter, "scatter between settings", "2 4");
   for (const SettingSummary& s : study.summary.settings) {
-    out += setting_mark(panel, s, look.colour(s.setting.cell_m));
+    out += setting_mark(panel, s, look);
   }
   return out + ring(panel, study);
 }
@@ -256,7 +293,7 @@ std::string reference_line(const Study& study) {
   if (reference->runout_m) text += fmt::format(" runout {:.4g} m,", *reference->runout_m);
   text += " " + reference->source;
   if (const auto index = study.summary.reference_index) {
-    text += " (" + setting_name(study.summary.settings[*index].setting) + ")";
+    text += " (" + setting_name(study, study.summary.settings[*index].setting) + ")";
   }
   return text;
 }
@@ -264,11 +301,7 @@ std::string reference_line(const Study& study) {
 }  // namespace
 
 std::string study_svg(const Study& study) {
-  Look look;
-  for (const SettingSummary& s : study.summary.settings) {
-    look.cells.insert(s.setting.cell_m);
-    look.particles.insert(s.setting.particles_per_cell);
-  }
+  const Look look = look_of(study);
   std::vector<Panel> panels;
   const auto add = [&](Measure measure, bool compared) {
     if (!compared) return;
@@ -282,8 +315,10 @@ std::string study_svg(const Study& study) {
                           (panels.size() > 1 ? between : 0) + 28;
   std::string body;
   for (const Panel& panel : panels) body += draw(panel, study, look);
-  // Numbers of settings are bounded, so the legend is: 20 cell sizes and 5 counts at most.
-  const double rows = 20.0 * double(look.cells.size()) + 21.0 * double(look.particles.size());
+  // Numbers of values are bounded, so the legend is.
+  const double of_steps = look.steps.empty() ? 0 : 34 + 21.0 * double(look.steps.size());
+  const double rows =
+      20.0 * double(look.cells.size()) + 21.0 * double(look.particles.size()) + of_steps;
   const double height = std::max(top + panel_height + below, top + rows + 250);
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "

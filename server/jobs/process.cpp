@@ -62,6 +62,7 @@ nlohmann::json describe_study() {
       {"reference", output("What the errors are relative to", "object")},
       {"seed_spread", output("Scatter between seeds", "object")},
       {"setting_scatter", output("Scatter between settings", "object")},
+      {"dependence", output("How far the answer depends on each axis and on the seed", "object")},
       {"settings", output("Error and cost of every setting", "array")},
       {"runs", output("Every run", "array")},
       {"fastest_within_wanted_error", output("The cheapest setting that is good enough", "object")},
@@ -78,8 +79,9 @@ constexpr std::array table{
             "Runs one case through the material point method: retrogression and runout",
             open_section, describe_section},
     Process{"resolution-study", "Error against run time",
-            "Runs one case over cell sizes, particles per cell and seeds: the error and the run "
-            "time of every setting, and the fastest one within a wanted error",
+            "Runs one case over cell sizes, particles per cell, time steps and seeds: the error "
+            "and the run time of every setting, the fastest one within a wanted error, and how far "
+            "the answer depends on each",
             open_study, describe_study, study_results},
 };
 

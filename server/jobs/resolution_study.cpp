@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "server/documents/study_document.hpp"
+#include "server/documents/study_setting.hpp"
 #include "server/drawings/study_drawing.hpp"
 #include "server/operate/problem.hpp"
 #include "solver/section/crest_and_toe.hpp"
@@ -21,7 +22,7 @@ StudyFile parsed_or_problem(const std::string& request) {
 class ResolutionStudy final : public Work {
  public:
   explicit ResolutionStudy(StudyFile asked)
-      : asked_(std::move(asked)), resolutions_(solver::study_runs(asked_.question.settings)) {}
+      : asked_(std::move(asked)), runs_(solver::study_runs(asked_.question.settings)) {}
 
   std::vector<db::SectionRecord> plan() const override {
     const Section& section = asked_.of.section;
@@ -34,8 +35,8 @@ class ResolutionStudy final : public Work {
     record.crest = section.crest.value_or(record.crest);
     record.toe = section.toe.value_or(record.toe);
     std::vector<db::SectionRecord> records;
-    for (const Resolution& resolution : resolutions_) {
-      record.name = run_name(resolution);
+    for (const solver::StudyRun& run : runs_) {
+      record.name = run_name(asked_.of, run);
       record.ordinal = static_cast<int>(records.size());
       records.push_back(record);
     }
@@ -45,13 +46,11 @@ class ResolutionStudy final : public Work {
   std::string raster() const override { return ""; }
 
   std::string case_file(const db::SectionRecord& section) const override {
-    const auto index = static_cast<std::size_t>(section.ordinal);
-    return to_document(case_of(asked_, resolutions_.at(index))).dump(2) + "\n";
+    return to_document(case_of(section)).dump(2) + "\n";
   }
 
   RunSize size(const db::SectionRecord& section) const override {
-    const auto index = static_cast<std::size_t>(section.ordinal);
-    const CaseFile run = case_of(asked_, resolutions_.at(index));
+    const CaseFile run = case_of(section);
     return run_size(run.section, run.settings);
   }
 
@@ -71,8 +70,12 @@ class ResolutionStudy final : public Work {
   }
 
  private:
+  CaseFile case_of(const db::SectionRecord& section) const {
+    return server::case_of(asked_.of, runs_.at(static_cast<std::size_t>(section.ordinal)));
+  }
+
   StudyFile asked_;
-  std::vector<Resolution> resolutions_;  ///< by ordinal of the section
+  std::vector<solver::StudyRun> runs_;  ///< by ordinal of the section
 };
 
 }  // namespace
@@ -84,12 +87,13 @@ std::unique_ptr<Work> open_study(const std::string& request, const Library& /*li
 std::string study_results(const db::JobRecord& job, const std::vector<db::SectionRecord>& sections,
                           std::string_view format) {
   StudyFile asked = parsed_or_problem(job.request);
-  const auto resolutions = solver::study_runs(asked.question.settings);
+  const auto planned = solver::study_runs(asked.question.settings);
   std::vector<solver::StudyRun> runs;
   runs.reserve(sections.size());
   for (const auto& section : sections) {
-    runs.push_back({resolutions.at(static_cast<std::size_t>(section.ordinal)), section.result,
-                    section.reason});
+    runs.push_back(planned.at(static_cast<std::size_t>(section.ordinal)));
+    runs.back().result = section.result;
+    runs.back().reason = section.reason;
   }
   const Study study = conclude(std::move(asked), std::move(runs), job.finished);
   if (format == "csv") return study_csv(study);

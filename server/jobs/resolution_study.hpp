@@ -1,5 +1,5 @@
 #pragma once
-// The process resolution-study: one section at many resolutions. Each run of the study is a
+// The process resolution-study: one section at many settings. Each run of the study is a
 // section of the job, so it is queued, resumed and retried as any other.
 
 #include <memory>

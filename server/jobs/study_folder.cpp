@@ -4,6 +4,7 @@
 #include <map>
 #include <thread>
 
+#include "server/documents/study_setting.hpp"
 #include "server/jobs/take_in.hpp"
 #include "server/operate/version.hpp"
 #include "server/run/run_folder.hpp"
@@ -15,10 +16,6 @@ namespace fs = std::filesystem;
 using solver::StudyRun;
 
 constexpr std::chrono::milliseconds between_looks{50};
-
-fs::path folder_of(const fs::path& study_folder, const Resolution& resolution) {
-  return study_folder / "runs" / run_name(resolution);
-}
 
 /// The result in a run's folder, where it is of this case and this version.
 std::optional<SectionResult> standing(const fs::path& folder, const CaseFile& run) {
@@ -32,9 +29,8 @@ class Running {
  public:
   Running(const StudyFile& study, const fs::path& folder, Executor& executor)
       : study_(study), folder_(folder), executor_(executor) {
-    for (const Resolution& resolution : solver::study_runs(study.question.settings)) {
-      StudyRun run{resolution, {}, ""};
-      run.result = standing(folder_of(folder, resolution), case_of(study, resolution));
+    for (StudyRun& run : solver::study_runs(study.question.settings)) {
+      run.result = standing(folder_of(run), case_of(study.of, run));
       if (!run.result) waiting_.push_back(out_.runs.size());
       out_.runs.push_back(std::move(run));
     }
@@ -52,6 +48,10 @@ class Running {
   }
 
  private:
+  fs::path folder_of(const StudyRun& run) const {
+    return folder_ / "runs" / run_name(study_.of, run);
+  }
+
   StudyProgress progress() const {
     const std::size_t found = out_.runs.size() - waiting_.size();
     const std::size_t done = found + next_ - under_way_.size();
@@ -59,13 +59,13 @@ class Running {
   }
 
   void start(std::size_t index) {
-    const Resolution& resolution = out_.runs[index].resolution;
-    const fs::path folder = folder_of(folder_, resolution);
+    const StudyRun& run = out_.runs[index];
+    const fs::path folder = folder_of(run);
     fs::create_directories(folder);
     // An old result must not be taken for one of the new case.
     fs::remove(folder / "result.json");
-    write_whole(folder / "case.json", to_document(case_of(study_, resolution)).dump(2) + "\n");
-    const std::string name = run_name(resolution);
+    write_whole(folder / "case.json", to_document(case_of(study_.of, run)).dump(2) + "\n");
+    const std::string name = run_name(study_.of, run);
     under_way_[name] = index;
     executor_.submit({name, folder});
   }
@@ -74,8 +74,8 @@ class Running {
     const auto found = under_way_.find(end.run);
     if (found == under_way_.end()) return;
     StudyRun& run = out_.runs[found->second];
-    const fs::path folder = folder_of(folder_, run.resolution);
-    run.result = standing(folder, case_of(study_, run.resolution));
+    const fs::path folder = folder_of(run);
+    run.result = standing(folder, case_of(study_.of, run));
     if (!run.result) {
       run.reason = end.reason.empty() ? read_outcome(folder).fault : end.reason;
       if (const auto words = last_words(folder); !words.empty()) run.reason += ": " + words;

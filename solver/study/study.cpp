@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/study/study_dependence.hpp"
+
 namespace leda::solver {
 namespace {
 
@@ -11,10 +13,7 @@ using Runs = std::vector<const StudyRun*>;
 Runs runs_of(const StudySetting& setting, const std::vector<StudyRun>& runs) {
   Runs found;
   for (const StudyRun& run : runs) {
-    if (run.resolution.cell_m == setting.cell_m &&
-        run.resolution.particles_per_cell == setting.particles_per_cell) {
-      found.push_back(&run);
-    }
+    if (run.setting == setting) found.push_back(&run);
   }
   return found;
 }
@@ -50,11 +49,6 @@ bool all_ended(const Runs& runs) {
          std::ranges::all_of(runs, [](const StudyRun* run) { return has_ended(*run); });
 }
 
-bool is_finer(const StudySetting& a, const StudySetting& b) {
-  return a.cell_m < b.cell_m ||
-         (a.cell_m == b.cell_m && a.particles_per_cell > b.particles_per_cell);
-}
-
 std::optional<double> if_positive(double value) {
   return value > 0 ? std::optional(value) : std::nullopt;
 }
@@ -67,8 +61,9 @@ void choose_reference(const StudyQuestion& question, const std::vector<StudyRun>
   }
   std::optional<std::size_t> finest;
   for (std::size_t i = 0; i < question.settings.size(); ++i) {
-    if (!all_ended(runs_of(question.settings[i], runs))) continue;
-    if (!finest || is_finer(question.settings[i], question.settings[*finest])) finest = i;
+    const StudySetting& setting = question.settings[i].setting;
+    if (!all_ended(runs_of(setting, runs))) continue;
+    if (!finest || is_finer(setting, question.settings[*finest].setting)) finest = i;
   }
   if (!finest) return;
   SettingSummary& setting = summary.settings[*finest];
@@ -166,21 +161,11 @@ std::optional<std::size_t> fastest(const std::vector<SettingSummary>& settings, 
   return best;
 }
 
-/// Pooled over settings: sqrt(sum (n - 1) s^2 / sum (n - 1)), relative to the reference.
-std::optional<double> pooled(const std::vector<SettingSummary>& settings,
-                             std::optional<Spread> SettingSummary::*distance,
-                             const std::optional<double>& reference) {
-  double squares = 0, freedom = 0;
-  for (const SettingSummary& s : settings) {
-    const auto& spread = s.*distance;
-    const bool counts = s.is_reference || s.not_a_choice.empty();
-    if (!counts || !spread || !spread->standard_deviation) continue;
-    const auto own = static_cast<double>(spread->count - 1);
-    squares += own * *spread->standard_deviation * *spread->standard_deviation;
-    freedom += own;
-  }
-  if (freedom == 0 || !reference) return std::nullopt;
-  return std::sqrt(squares / freedom) / *reference;
+/// Relative to the reference.
+std::optional<double> floor_of(const std::optional<Dependence>& on_seed,
+                               const std::optional<double>& reference) {
+  if (!on_seed || !reference) return std::nullopt;
+  return on_seed->metres / *reference;
 }
 
 /// Of the means of the settings whose runs all ended, relative to the reference.
@@ -189,7 +174,7 @@ std::optional<double> scatter(const std::vector<SettingSummary>& settings,
                               const std::optional<double>& reference) {
   std::vector<double> means;
   for (const SettingSummary& s : settings) {
-    if (s.is_reference || s.not_a_choice.empty()) means.push_back((s.*distance)->mean);
+    if (s.is_compared()) means.push_back((s.*distance)->mean);
   }
   const auto spread = spread_of(means);
   if (!reference || !spread || !spread->standard_deviation) return std::nullopt;
@@ -230,14 +215,14 @@ bool has_ended(const StudyRun& run) {
          (run.result->status == RunStatus::at_rest || run.result->status == RunStatus::stable);
 }
 
-std::vector<Resolution> study_runs(const std::vector<StudySetting>& settings) {
-  std::vector<StudySetting> ordered = settings;
-  std::ranges::stable_sort(ordered, [](const auto& a, const auto& b) { return is_finer(b, a); });
-  std::vector<Resolution> runs;
-  for (const StudySetting& setting : ordered) {
-    for (int seed = 0; seed <= setting.seeds; ++seed) {
-      runs.push_back(
-          {setting.cell_m, setting.particles_per_cell, static_cast<std::uint64_t>(seed)});
+std::vector<StudyRun> study_runs(const std::vector<RepeatedSetting>& settings) {
+  std::vector<RepeatedSetting> ordered = settings;
+  std::ranges::stable_sort(
+      ordered, [](const auto& a, const auto& b) { return is_finer(b.setting, a.setting); });
+  std::vector<StudyRun> runs;
+  for (const RepeatedSetting& repeated : ordered) {
+    for (int seed = 0; seed <= repeated.seeds; ++seed) {
+      runs.push_back({repeated.setting, static_cast<std::uint64_t>(seed), {}, ""});
     }
   }
   return runs;
@@ -245,8 +230,8 @@ std::vector<Resolution> study_runs(const std::vector<StudySetting>& settings) {
 
 StudySummary summarize(const StudyQuestion& question, const std::vector<StudyRun>& runs) {
   StudySummary summary;
-  for (const StudySetting& setting : question.settings) {
-    summary.settings.push_back(describe(setting, runs_of(setting, runs)));
+  for (const RepeatedSetting& asked : question.settings) {
+    summary.settings.push_back(describe(asked.setting, runs_of(asked.setting, runs)));
   }
   choose_reference(question, runs, summary);
   for (const StudyRun& run : runs) summary.errors.push_back(error_of(run, summary.reference));
@@ -261,11 +246,12 @@ StudySummary summarize(const StudyQuestion& question, const std::vector<StudyRun
         fastest(summary.settings, measure, &Judgement::mean_within),
         fastest(summary.settings, measure, &Judgement::mean_and_spread_within)};
   }
+  find_dependence(summary);
   if (summary.reference) {
-    summary.floor_retrogression = pooled(summary.settings, &SettingSummary::retrogression_m,
-                                         summary.reference->retrogression_m);
-    summary.floor_runout =
-        pooled(summary.settings, &SettingSummary::runout_m, summary.reference->runout_m);
+    const auto& on_seed = summary.dependence_on_seed;
+    summary.floor_retrogression =
+        floor_of(on_seed.retrogression, summary.reference->retrogression_m);
+    summary.floor_runout = floor_of(on_seed.runout, summary.reference->runout_m);
     summary.scatter_retrogression = scatter(summary.settings, &SettingSummary::retrogression_m,
                                             summary.reference->retrogression_m);
     summary.scatter_runout =

@@ -50,11 +50,13 @@ TEST_F(StudyOfABank, ComesOverHttpAsAJobWhoseResultsAreTheStudy) {
   const std::string path = "/processes/resolution-study/execution";
   json wrong = inputs();
   wrong["cell_m"] = {1, -1};
+  wrong["time_step_factor"] = {0.65, 2};
   wrong["workers"] = 4;
   const auto refused =
       server.client().Post(path, json{{"inputs", wrong}}.dump(), "application/json");
   ASSERT_EQ(refused->status, 400);
   EXPECT_NE(refused->body.find("/inputs/cell_m/1"), std::string::npos) << refused->body;
+  EXPECT_NE(refused->body.find("/inputs/time_step_factor/1"), std::string::npos) << refused->body;
   EXPECT_NE(refused->body.find("/inputs/workers"), std::string::npos) << refused->body;
 
   const auto accepted =
@@ -99,6 +101,17 @@ TEST_F(StudyOfABank, ComesOnTheCommandLineAndGoesOnWhereItWas) {
   ASSERT_EQ(after["runs"].size(), 4U);
   EXPECT_EQ(after["runs"][2], before["runs"][2]);
   EXPECT_EQ(after["runs"][3]["status"], before["runs"][3]["status"]);
+  // Another time step is four runs more; those of the case's own are found.
+  document["time_step_factor"] = {0.65, 0.8};
+  const Output third = run_leda({"study", file("study.json", document), "--out", out()});
+  ASSERT_EQ(third.exit_code, 0) << third.errors;
+  EXPECT_NE(third.errors.find("8 of 8 runs done (4 found)"), std::string::npos) << third.errors;
+  EXPECT_NE(third.text.find("1.2 m, 4 particles, step 0.8"), std::string::npos) << third.text;
+  const json wider = json::parse(std::ifstream(folder.path() / "out" / "study.json"));
+  ASSERT_EQ(wider["runs"].size(), 8U);
+  EXPECT_EQ(wider["runs"][0]["name"], "cell-1.2-particles-4-step-0.8-seed-0");
+  EXPECT_GT(wider["runs"][2]["steps"], wider["runs"][0]["steps"]);
+  EXPECT_TRUE(std::filesystem::exists(runs / "cell-1-particles-4-step-0.8-seed-1" / "result.json"));
 }
 
 TEST_F(StudyOfABank, FaultsAreListedWithTheirPointers) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "server/drawings/study_drawing.hpp"
 #include "tests/server/documents/some_study.hpp"
@@ -38,7 +39,7 @@ TEST(StudyDocument, HoldsRunsSettingsAndTheFastest) {
 
 TEST(StudyDocument, SaysWhatItComesTo) {
   const auto outcome = study_outcome(test::some_study());
-  ASSERT_EQ(outcome.size(), 5U);
+  ASSERT_EQ(outcome.size(), 6U);
   EXPECT_EQ(outcome[0],
             "fastest setting within 10.0 % in retrogression and runout: 0.5 m, 4 particles (error "
             "2.0 %, 16.5 s), with its spread over seeds too");
@@ -47,6 +48,61 @@ TEST(StudyDocument, SaysWhatItComesTo) {
             "fastest setting within 10.0 % in runout alone: 1 m, 4 particles (error 5.0 %, 2.1 s); "
             "with its spread over seeds: 0.5 m, 4 particles (error 1.0 %, 16.5 s)");
   EXPECT_NE(study_table(test::some_study()).find("0.5 m, 4 particles"), std::string::npos);
+}
+
+TEST(StudyDocument, TellsTheTimeStepOfEverySettingAndRun) {
+  const Study study = test::study_of_steps();
+  const json document = to_document(study);
+  EXPECT_EQ(document["runs"][0]["name"], "cell-1-particles-4-step-0.9-seed-0");
+  EXPECT_EQ(document["runs"][2]["name"], "cell-1-particles-4-seed-0");
+  EXPECT_EQ(document["runs"][0]["time_step_factor"], 0.9);
+  EXPECT_EQ(document["settings"][0]["time_step_factor"], 0.65);
+  EXPECT_EQ(document["settings"][0]["particles_per_cell"].dump(), "4");
+  EXPECT_EQ(document["fastest_within_wanted_error"]["runout"]["by_mean"]["time_step_factor"], 0.9);
+  EXPECT_TRUE(study_csv(study).starts_with("cell_m,particles_per_cell,time_step_factor,seed,"));
+  EXPECT_NE(study_csv(study).find("\r\n1,4,0.9,1,at-rest,11.4,5,"), std::string::npos);
+  // Columns stay under their titles though the names are long.
+  const std::string table = study_table(study);
+  EXPECT_NE(table.find("1 m, 4 particles, step 0.9     2 "), std::string::npos) << table;
+  EXPECT_NE(study_outcome(study)[2].find("1 m, 4 particles, step 0.9 (error"), std::string::npos);
+}
+
+TEST(StudyDocument, ANameIsSilentOfATimeStepThatIsTheCasesOwn) {
+  EXPECT_EQ(study_table(test::some_study()).find("step 0"), std::string::npos);
+  json inputs = test::study_inputs();
+  inputs["time_step_factor"] = {0.65};
+  const Study old = test::some_study();
+  const Study asked = conclude(test::study_asked(inputs), old.runs, old.date);
+  EXPECT_EQ(to_document(asked), to_document(old));
+  EXPECT_EQ(study_table(asked), study_table(old));
+  EXPECT_EQ(study_svg(asked), study_svg(old));
+}
+
+TEST(StudyDocument, SaysHowFarTheAnswerDependsOnEachAxisAndOnTheSeed) {
+  const Study study = test::study_of_steps();
+  const json dependence = to_document(study)["dependence"];
+  const json& step = dependence["time_step_factor"];
+  EXPECT_NEAR(step["retrogression"]["difference_m"], 0.6, 1e-12);
+  EXPECT_NEAR(step["retrogression"]["share"], 0.6 / 11.7, 1e-12);
+  EXPECT_EQ(step["retrogression"]["settings"], 2);
+  EXPECT_NEAR(step["runout"]["difference_m"], 0.25, 1e-12);
+  EXPECT_TRUE(dependence["cell_m"]["retrogression"].is_null());
+  EXPECT_TRUE(dependence["particles_per_cell"]["runout"].is_null());
+  EXPECT_NEAR(dependence["seed"]["runout"]["standard_deviation_m"], std::sqrt(0.125 / 2), 1e-12);
+  EXPECT_EQ(dependence["seed"]["retrogression"]["standard_deviation_m"], 0);
+  EXPECT_EQ(to_document(study)["settings"][0]["dependence"]["time_step_factor"], step);
+  EXPECT_EQ(study_outcome(study).back(),
+            "the answer depends (largest difference of means along one axis, the others held; "
+            "seed: standard deviation) in retrogression on cells not compared, particles not "
+            "compared, time step 0.6 m (5.1 %), seed 0.0 m (0.0 %); in runout on cells not "
+            "compared, particles not compared, time step 0.2 m (4.9 %), seed 0.2 m (4.9 %)");
+  const std::string table = study_table(study);
+  EXPECT_NE(table.find("depends on time step                   0.6 (5.1 %)     0.2 (4.9 %)\n"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("depends on cells                                 -               -\n"),
+            std::string::npos)
+      << table;
 }
 
 TEST(StudyDocument, ARunWithoutAResultHasItsReason) {
@@ -62,8 +118,9 @@ TEST(StudyDocument, ARunWithoutAResultHasItsReason) {
   EXPECT_EQ(document["settings"][1]["runs_with_result"], 1);
   EXPECT_TRUE(
       document["settings"][1]["crest_to_crest_retrogression_m"]["standard_deviation"].is_null());
-  EXPECT_NE(study_csv(study).find("1,4,0,no-result,,,,,,,,,,,,,\"the worker died, \"\"early\"\"\""),
-            std::string::npos)
+  EXPECT_NE(
+      study_csv(study).find("1,4,0.65,0,no-result,,,,,,,,,,,,,\"the worker died, \"\"early\"\"\""),
+      std::string::npos)
       << study_csv(study);
 }
 
@@ -76,7 +133,7 @@ TEST(StudyDocument, EveryLineOfTheTableOfRunsHasAllColumns) {
   std::size_t begin = 0;
   for (auto end = csv.find("\r\n"); end != std::string::npos; end = csv.find("\r\n", begin)) {
     const std::string line = csv.substr(begin, end - begin);
-    EXPECT_EQ(std::ranges::count(line, ','), 16) << line;
+    EXPECT_EQ(std::ranges::count(line, ','), 17) << line;
     begin = end + 2;
   }
 }
@@ -91,6 +148,17 @@ TEST(StudyDrawing, HasAPanelADistanceAndAMarkASetting) {
   EXPECT_EQ(count(svg, "stroke-width=\"1.8\""), 6U);
   EXPECT_EQ(count(svg, "nan"), 0U);
   EXPECT_EQ(count(svg, "inf"), 0U);
+}
+
+TEST(StudyDrawing, MarksAreAsLargeAsTheTimeStepIsLong) {
+  const std::string svg = study_svg(test::study_of_steps());
+  EXPECT_EQ(count(svg, ">time step factor<"), 1U);
+  EXPECT_EQ(count(svg, ">0.65<"), 1U);
+  EXPECT_EQ(count(svg, ">0.9<"), 1U);
+  // Squares of 1.7 times their size: each in two panels, and in the legend.
+  EXPECT_EQ(count(svg, "h-7.649"), 3U) << svg;
+  EXPECT_EQ(count(svg, "h-15.29"), 3U) << svg;
+  EXPECT_EQ(count(study_svg(test::some_study()), "time step"), 0U);
 }
 
 TEST(StudyDrawing, OneDistanceIsOnePanel) {

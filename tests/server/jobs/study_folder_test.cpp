@@ -44,7 +44,7 @@ class StudyFolder : public testing::Test {
     StudyFile asked;
     asked.of = *parse_case_file(tests::small_case()).value;
     asked.of.settings.stop.max_time_s = max_time_s;
-    asked.question.settings = {{1, 4, 1}, {2, 4, 0}};
+    asked.question.settings = {{{1, 4}, 1}, {{2, 4}, 0}};
     return asked;
   }
   StudyRuns run(const StudyFile& asked, const StudyListener& listener = {}) {
@@ -71,6 +71,23 @@ TEST_F(StudyFolder, WhatStandsIsNotRunAgain) {
   const auto again = run(study());
   EXPECT_TRUE(worker.ran.empty());
   EXPECT_TRUE(again.runs[2].result);
+}
+
+TEST_F(StudyFolder, MoreTimeStepsFindTheRunsOfTheCasesOwn) {
+  run(study());
+  StudyFile more = study();
+  more.question.settings = {{{1, 4, 0.65}, 1}, {{1, 4, 0.9}, 0}, {{2, 4, 0.65}, 0}};
+  const auto done = run(more);
+  EXPECT_EQ(worker.ran, std::vector<std::string>{"cell-1-particles-4-step-0.9-seed-0"});
+  ASSERT_EQ(done.runs.size(), 4U);
+  EXPECT_EQ(done.runs[1].setting.time_step_factor, 0.9);
+  EXPECT_NE(done.runs[1].result->case_sha256, done.runs[2].result->case_sha256);
+  run(more);
+  EXPECT_TRUE(worker.ran.empty());
+  // The same steps of a case with another of its own are other names: nothing wrong is taken.
+  more.of.settings.time_step_factor = 0.9;
+  run(more);
+  EXPECT_EQ(worker.ran.size(), 4U);
 }
 
 TEST_F(StudyFolder, ResultsOfAnotherCaseOrVersionAreRunAgain) {
