@@ -3,6 +3,7 @@
 #include <chrono>
 #include <map>
 #include <thread>
+#include <utility>
 
 #include "server/documents/study_setting.hpp"
 #include "server/jobs/take_in.hpp"
@@ -27,8 +28,8 @@ std::optional<SectionResult> standing(const fs::path& folder, const CaseFile& ru
 
 class Running {
  public:
-  Running(const StudyFile& study, const fs::path& folder, Executor& executor)
-      : study_(study), folder_(folder), executor_(executor) {
+  Running(const StudyFile& study, fs::path folder, Executor& executor)
+      : study_(study), folder_(std::move(folder)), executor_(executor) {
     for (StudyRun& run : solver::study_runs(study.question.settings)) {
       run.result = standing(folder_of(run), case_of(study.of, run));
       if (!run.result) waiting_.push_back(out_.runs.size());
