@@ -22,6 +22,18 @@ constexpr const char* overlaps =
     "THEN box.west <= ?4 AND box.east >= ?2 "
     "ELSE (?2 > ?4 AND box.west > box.east) OR box.west <= ?4 OR box.east >= ?2 END) AND ";
 
+/// Ids of features whose box may overlap the one that was asked for, which goes on to an east
+/// beyond 180 degrees (?10) as those in the tree do: so it is looked for a turn around as well.
+std::string near_the_box(const std::string& table) {
+  std::string text = table + ".id IN (";
+  for (const char* turn : {"- 360", "+ 0", "+ 360"}) {
+    if (!text.ends_with('(')) text += " UNION ALL ";
+    text += "SELECT id FROM " + singular(table) + "_tree WHERE west <= ?10 " + turn +
+            " AND east >= ?2 " + turn + " AND south <= ?5 AND north >= ?3";
+  }
+  return text + ") AND ";
+}
+
 constexpr const char* of_shown_jobs =
     "JOIN jobs ON jobs.id = %.job_id AND jobs.state = 'successful' AND jobs.raster_id IS NOT NULL ";
 
@@ -54,7 +66,7 @@ std::string matches(const std::string& table, const PageFilter& filter,
   std::string text;
   if (filter.box) text += "JOIN " + join_boxes(table);
   text += "WHERE " + condition;
-  if (filter.box) text += overlaps;
+  if (filter.box) text += near_the_box(table) + overlaps;
   if (filter.id) text += table + ".id = ?6 AND ";
   if (!filter.job.empty()) return text + table + ".job_id = ?1 ";
   // The plus keeps SQLite from the index by job, with which it would have to sort.
@@ -62,20 +74,18 @@ std::string matches(const std::string& table, const PageFilter& filter,
 }
 
 // In an order that an index has, so that SQLite reads no more rows than the page needs: sorted, a
-// page of ten reads all rows of its job. Features of one job have ids in the order of their
-// ordinals.
+// page of ten reads all rows of its job, and beyond an offset it reads all before it.
 std::string page_of(const std::string& table, const PageFilter& filter,
                     const std::string& condition) {
-  const std::string order =
-      filter.job.empty() ? table + ".id " : table + ".job_id, " + table + ".ordinal ";
-  return matches(table, filter, condition, true) + "ORDER BY " + order +
-         "LIMIT max(?7, 0) OFFSET ?8";
+  return matches(table, filter, condition, true) + "AND " + table + ".id > ?8 ORDER BY " + table +
+         ".id LIMIT max(?7, 0)";
 }
 
 void bind_page(Query& query, const PageFilter& filter, const std::string& last) {
   const MapBox box = filter.box.value_or(MapBox{});
+  const double unrolled_east = box[2] + (box[0] > box[2] ? 360 : 0);
   query.with_some(filter.job, box[0], box[1], box[2], box[3], filter.id.value_or(0), filter.limit,
-                  filter.offset, last);
+                  filter.after, last, unrolled_east);
 }
 
 Coverage coverage_of(Database& database, const std::string& table, const std::string& kind) {

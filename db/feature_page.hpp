@@ -9,13 +9,13 @@
 namespace leda::db {
 
 /// JOIN and WHERE for a table of features, "sections" or "zones": ?1 the job, ?2 to ?5 the box,
-/// ?6 the id, ?9 as `condition` wants it.
+/// ?6 the id, ?9 as `condition` wants it, ?10 the box's east where it goes on beyond 180 degrees.
 /// @param condition of the caller, ends with AND, or empty
 /// @param in_order read in the order of ids, for a page; else as SQLite likes, for a count
 std::string matches(const std::string& table, const PageFilter& filter,
                     const std::string& condition, bool in_order);
 
-/// The same with ORDER BY and, as ?7 and ?8, limit and offset.
+/// The same in the order of ids: ?7 the limit, ?8 the id that the page begins after.
 std::string page_of(const std::string& table, const PageFilter& filter,
                     const std::string& condition);
 

@@ -12,7 +12,7 @@ namespace {
 
 const std::string columns =
     "SELECT id, process, name, state, message, progress, request, idempotency_key, created, "
-    "started, finished, updated, raster_id FROM jobs ";
+    "started, finished, updated, raster_id, sequence FROM jobs ";
 
 // ?1 and ?2 are JSON lists, empty for any; ?3 and ?4 are times, empty for open. Times are compared
 // as times: a bound may come without milliseconds. ?5 and ?6 are durations in s, negative for any.
@@ -37,7 +37,8 @@ JobRecord job_from(Query& row) {
                    .started = row.text(),
                    .finished = row.text(),
                    .updated = row.text(),
-                   .raster = row.text()};
+                   .raster = row.text(),
+                   .sequence = row.integer()};
 }
 
 std::optional<std::string> null_if_empty(const std::string& text) {
@@ -89,10 +90,12 @@ std::optional<JobRecord> Store::job_by_idempotency_key(const std::string& key) c
 std::vector<JobRecord> Store::jobs(const JobFilter& filter) const {
   return connection_->read([&](Database& database) {
     std::vector<JobRecord> found;
-    Query rows(database, columns + filtered + "ORDER BY sequence DESC LIMIT max(?7, 0) OFFSET ?8");
+    Query rows(database, columns + filtered +
+                             "AND (?8 = 0 OR sequence < ?8) ORDER BY sequence DESC "
+                             "LIMIT max(?7, 0)");
     rows.with(to_json(filter.processes), state_words(filter.states), filter.created_from,
               filter.created_to, filter.least_s.value_or(-1), filter.most_s.value_or(-1),
-              filter.limit, filter.offset);
+              filter.limit, filter.before);
     while (rows.next()) found.push_back(job_from(rows));
     return found;
   });

@@ -38,6 +38,9 @@ enum class JobState { accepted, running, successful, failed, dismissed };
 
 const char* to_string(JobState state);
 std::optional<JobState> job_state_from(const std::string& text);
+constexpr bool is_final(JobState state) {
+  return state != JobState::accepted && state != JobState::running;
+}
 
 struct JobRecord {
   std::string id;
@@ -49,7 +52,8 @@ struct JobRecord {
   std::string request;          ///< the execute request as sent, JSON
   std::string idempotency_key;  ///< empty: none
   std::string created, started, finished, updated;
-  std::string raster;  ///< id of the DEM it stands on; empty: none
+  std::string raster;         ///< id of the DEM it stands on; empty: none
+  std::int64_t sequence = 0;  ///< given by the store: the order in which jobs were accepted
 };
 
 enum class SectionState {
@@ -83,6 +87,12 @@ struct SectionRecord {
   int attempts = 0;
   std::optional<SectionResult> result;
   std::optional<PlacedResult> placed;
+};
+
+/// As much of a section as says whether it waits.
+struct SectionInLine {
+  std::int64_t id = 0;
+  SectionState state = SectionState::waiting;
 };
 
 /// One try at a section. Every try is kept.

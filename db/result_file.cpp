@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "db/hdf5_handle.hpp"
-#include "db/new_file.hpp"
+#include "disk/new_file.hpp"
 #include "solver/section/frame.hpp"
 
 namespace leda::db {
@@ -40,7 +40,7 @@ Hdf5Handle timeless(hid_t kind) {
 struct ResultFileWriter::File {
   explicit File(const std::filesystem::path& target) : place(target) {}
 
-  NewFile place;
+  disk::NewFile place;
   Hdf5Handle file;
   Hdf5Handle time, particles, material;
   std::vector<Hdf5Handle> fields;

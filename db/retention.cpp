@@ -3,8 +3,8 @@
 #include <SQLiteCpp/Backup.h>
 
 #include "db/connection.hpp"
-#include "db/new_file.hpp"
 #include "db/store.hpp"
+#include "disk/new_file.hpp"
 
 namespace leda::db {
 
@@ -91,7 +91,7 @@ std::optional<TypicalRun> Store::typical_run() const {
 }
 
 void back_up(const std::filesystem::path& store, const std::filesystem::path& copy) {
-  NewFile file(copy);
+  disk::NewFile file(copy);
   try {
     std::filesystem::remove(file.part());
     SQLite::Database from(store.string(), SQLite::OPEN_READONLY, 10'000);

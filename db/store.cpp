@@ -1,9 +1,5 @@
 #include "db/store.hpp"
 
-#include <fmt/chrono.h>
-
-#include <chrono>
-
 #include "db/connection.hpp"
 #include "db/migrate.hpp"
 
@@ -15,12 +11,5 @@ Store::Store(const std::filesystem::path& file, std::chrono::milliseconds busy_t
 }
 
 Store::~Store() = default;
-
-std::string utc_now() {
-  using namespace std::chrono;
-  const auto now = floor<milliseconds>(system_clock::now());
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(system_clock::to_time_t(now)),
-                     now.time_since_epoch().count() % 1000);
-}
 
 }  // namespace leda::db

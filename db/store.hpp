@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "db/records.hpp"
+#include "db/utc_now.hpp"
 
 namespace leda::db {
 
@@ -31,17 +32,18 @@ struct JobFilter {
   std::vector<JobState> states{};            ///< empty: any
   std::string created_from{}, created_to{};  ///< ISO 8601, empty: open
   int limit = 100;
-  int offset = 0;
+  std::int64_t before = 0;  ///< only jobs accepted before the one of this `sequence`; 0: all
   std::optional<double> least_s{}, most_s{};  ///< time since it was started, until it finished
 };
 
-/// A page of sections or zones: of one job, or over all jobs that succeeded and have a map.
+/// A page of sections or zones, in the order of their ids: of one job, or over all jobs that
+/// succeeded and have a map.
 struct PageFilter {
   std::string job{};                 ///< empty: all jobs that succeeded and have a map
   std::optional<MapBox> box{};       ///< longitude and latitude; west > east crosses 180 degrees
   std::optional<std::int64_t> id{};  ///< this one alone
   int limit = 100;
-  int offset = 0;
+  std::int64_t after = 0;  ///< only those with an id beyond; 0: all
 };
 
 /// What the features of a layer cover together, in longitude and latitude.
@@ -100,7 +102,8 @@ class Store {
   /// was killed and lays it out again) they are kept, with their runs and results, and the answer
   /// is false. Of each record `id`, `run`, `attempts`, `result` and `placed` are the store's own.
   bool set_sections(const std::string& job, const std::vector<SectionRecord>& sections);
-  std::vector<SectionRecord> sections(const std::string& job) const;  ///< by ordinal
+  std::vector<SectionRecord> sections(const std::string& job) const;          ///< by ordinal
+  std::vector<SectionInLine> sections_in_line(const std::string& job) const;  ///< by ordinal
   std::optional<SectionRecord> section(const std::string& job, const std::string& name) const;
   std::optional<SectionRecord> section(std::int64_t section) const;
   /// Counts a try and remembers its run folder; state becomes running. A try still under way is
@@ -120,7 +123,7 @@ class Store {
   /// as it is. StoreError for an interrupted result or a run of another section.
   bool take_in(std::int64_t section, const std::string& run, const SectionResult& result,
                const PlacedResult& placed, const std::string& result_json);
-  /// Sections in the order they were stored, without `ground` and the result's `profile_after`.
+  /// Sections without `ground` and the result's `profile_after`.
   std::vector<SectionRecord> section_page(const PageFilter& filter) const;
   int count_sections(const PageFilter& filter) const;
   /// Sections in a state, of all jobs.
@@ -160,8 +163,5 @@ class Store {
 /// A copy of a store as it is at one moment, also while a server writes to it. The copy appears
 /// whole or not at all. Throws StoreError where the store can't be read or the copy is damaged.
 void back_up(const std::filesystem::path& store, const std::filesystem::path& copy);
-
-/// Now, UTC, "2026-01-31T12:00:00.000Z".
-std::string utc_now();
 
 }  // namespace leda::db

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "db/new_file.hpp"
+#include "disk/new_file.hpp"
 #include "solver/section/frame.hpp"
 
 namespace leda::db {
@@ -99,7 +99,7 @@ std::string vtu(const Frame& frame) {
 }
 
 void write_whole(const std::filesystem::path& path, const std::string& bytes) {
-  NewFile file(path);
+  disk::NewFile file(path);
   std::ofstream out(file.part(), std::ios::binary);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();

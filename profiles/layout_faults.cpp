@@ -120,6 +120,17 @@ class Checker {
     take_name(name, pointer);
   }
 
+  // What a point outside the DEM was probably meant to be.
+  std::string meant_by(MapPoint p) const {
+    if (dem_.contains({p.y, p.x})) {
+      return ": with its numbers the other way round it lies inside; give easting, then northing";
+    }
+    if (std::abs(p.x) <= 180 && std::abs(p.y) <= 180) {
+      return ": if these are degrees, give coordinates of the DEM's CRS instead";
+    }
+    return "";
+  }
+
   void check_points(const MapLine& line, const std::string& pointer) {
     for (std::size_t i = 0; i < line.size(); ++i) {
       const std::string at = fmt::format("{}/{}", pointer, i);
@@ -127,7 +138,7 @@ class Checker {
         add(at, "is not a pair of finite numbers");
       } else if (!dem_.contains(line[i])) {
         add(at, text_of(line[i]) + " lies outside the DEM (" + text_of(dem_.info().box) +
-                    fmt::format(", EPSG:{})", dem_.info().epsg));
+                    fmt::format(", EPSG:{})", dem_.info().epsg) + meant_by(line[i]));
       }
     }
   }

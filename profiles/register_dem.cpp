@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "disk/sha256.hpp"
 #include "profiles/gdal_error.hpp"
 #include "profiles/ground_scale.hpp"
 #include "profiles/safe_open.hpp"
-#include "profiles/sha256.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -156,7 +156,7 @@ RegisteredDem register_dem(const fs::path& input, const fs::path& output, const 
   // Read back before it takes its place: what cannot be read again was never registered.
   registered.info =
       Dem::open(cog.path(), {.vertical_unit = "", .epsg = 0, .limits = options.limits}).info();
-  registered.sha256 = sha256_of_file(cog.path());
+  registered.sha256 = disk::sha256_of_file(cog.path());
   registered.bytes = static_cast<std::int64_t>(fs::file_size(cog.path()));
   registered.lowest_m = static_cast<double>(values.lowest());
   registered.highest_m = static_cast<double>(values.highest());

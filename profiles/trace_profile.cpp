@@ -99,6 +99,20 @@ Profile to_profile(const LaidSection& section, const Dem& dem, Cut cut) {
   return profile;
 }
 
+/// A DEM shows a face no steeper than one cell allows, and its crest and toe to a cell. Empty where
+/// that hardly matters: the bank is some cells wide, or many high.
+std::string complaint_of_coarse_cells(const CrestAndToe& bank, const Dem& dem) {
+  constexpr double few_cells_wide = 4, few_cells_high = 8;
+  const double cell_m = dem.info().cell_m();
+  const double width = std::abs(bank.crest.x - bank.toe.x), height = bank.crest.z - bank.toe.z;
+  if (width >= few_cells_wide * cell_m || height >= few_cells_high * cell_m) return "";
+  return fmt::format(
+      "the DEM's cells of {:.3g} m are coarse for a bank {:.1f} m high and {:.1f} m wide: its face "
+      "may be steeper than the DEM shows, its crest and toe are known to a cell; cells of at most "
+      "{:.2g} m show it",
+      cell_m, height, width, std::max(width / few_cells_wide, height / few_cells_high));
+}
+
 }  // namespace
 
 Polyline sample_ground(const MapLine& trace, const Dem& dem) {
@@ -167,6 +181,9 @@ std::variant<Profile, LeftOut> trace_profile(const LaidSection& section, const D
           .complaint_at(point_at(profile.trace, length_of(profile.trace) / 2), told_departure);
   if (!complaint.empty()) {
     profile.warnings.push_back(fmt::format("EPSG:{}: {}", dem.info().epsg, complaint));
+  }
+  if (auto coarse = complaint_of_coarse_cells(profile.bank, dem); !coarse.empty()) {
+    profile.warnings.push_back(std::move(coarse));
   }
   if (reaches_end) {
     profile.warnings.emplace_back(

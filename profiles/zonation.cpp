@@ -9,9 +9,9 @@
 #include <map>
 #include <string>
 
+#include "disk/sha256.hpp"
 #include "profiles/areas.hpp"
 #include "profiles/map_geometry.hpp"
-#include "profiles/sha256.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -209,7 +209,7 @@ class Zonation {
     for (const MapPolygon& part : zone.area) {
       for (const MapPoint& p : part.outer) made_of += fmt::format("\n{:.6f} {:.6f}", p.x, p.y);
     }
-    zone.made_by = sha256_of(made_of);
+    zone.made_by = disk::sha256_of(made_of);
   }
 
   const ZonationOptions& options_;

@@ -57,9 +57,9 @@ std::vector<solver::ExtremeCase> asked_for(const Options& options) {
 }
 
 void leave(const Options& options, const std::vector<solver::Outcome>& outcomes) {
-  if (!options.csv_file.empty()) write_whole(options.csv_file, check_csv(outcomes));
+  if (!options.csv_file.empty()) disk::write_whole(options.csv_file, check_csv(outcomes));
   if (!options.json_file.empty()) {
-    write_whole(options.json_file, check_document(outcomes).dump(2) + "\n");
+    disk::write_whole(options.json_file, check_document(outcomes).dump(2) + "\n");
   }
 }
 

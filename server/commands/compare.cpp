@@ -38,7 +38,7 @@ int compare(const Options& options) {
   const db::Store store(data.store());
   const auto records = sections_or_problem(store, options.job, options.sections);
   const auto compared = as_compared(records);
-  if (!options.svg.empty()) write_whole(options.svg, compare_svg(compared));
+  if (!options.svg.empty()) disk::write_whole(options.svg, compare_svg(compared));
   if (options.json) {
     fmt::print("{}\n", compare_json(compared).dump(2));
     return 0;

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -7,6 +6,7 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
+#include "server/commands/progress_line.hpp"
 #include "server/commands/run_options.hpp"
 #include "server/documents/execute_options.hpp"
 #include "server/documents/region_request.hpp"
@@ -78,45 +78,14 @@ std::string with_registered_dem(Service& service, const std::string& text, const
   return document.dump();
 }
 
-bool is_finished(const db::JobRecord& job) {
-  return job.state != db::JobState::accepted && job.state != db::JobState::running;
-}
-
-/// How far a job is, for whoever looks: on a terminal one line that changes, elsewhere a line now
-/// and then.
-class ProgressLines {
- public:
-  explicit ProgressLines(bool silent)
-      : silent_(silent), terminal_(!silent && isatty(STDERR_FILENO) != 0) {}
-
-  void show(const db::JobRecord& job) {
-    if (terminal_) fmt::print(stderr, "\r\033[K{:3d} %  {}", job.progress, job.message);
-    if (silent_ || terminal_) return;
-    const auto now = std::chrono::steady_clock::now();
-    if (job.progress == shown_ || now < next_) return;
-    shown_ = job.progress;
-    next_ = now + between_lines;
-    fmt::print(stderr, "{:3d} %  {}\n", job.progress, job.message);
-  }
-  void end() const {
-    if (terminal_) fmt::print(stderr, "\n");
-  }
-
- private:
-  static constexpr std::chrono::seconds between_lines{10};
-  bool silent_, terminal_;
-  int shown_ = -1;
-  std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + between_lines;
-};
-
 /// Waits for the end of a job.
 db::JobRecord follow(const Service& service, const std::string& id, bool silent) {
-  ProgressLines lines(silent);
+  ProgressLine line(silent);
   for (;;) {
     auto job = job_or_problem(service.store, id);
-    lines.show(job);
-    if (is_finished(job)) {
-      lines.end();
+    line.show(fmt::format("{:3d} %  {}", job.progress, job.message));
+    if (db::is_final(job.state)) {
+      line.end();
       return job;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(200));

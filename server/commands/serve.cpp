@@ -110,7 +110,7 @@ int serve(const Options& options) {
   {
     const HttpServer http(site, address);
     const nlohmann::json where = {{"url", site.url}, {"pid", getpid()}};
-    write_whole(service.data.server_file(), where.dump(2) + "\n");
+    disk::write_whole(service.data.server_file(), where.dump(2) + "\n");
     fmt::print("leda serves {}\n", site.url);
     static_cast<void>(std::fflush(stdout));
     log_info("-", "serves url={} tokens={}", site.url, site.tokens.required());

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -12,6 +11,7 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
+#include "server/commands/progress_line.hpp"
 #include "server/documents/result_document.hpp"
 #include "server/run/interrupt_signals.hpp"
 #include "server/run/run_folder.hpp"
@@ -23,6 +23,7 @@ struct Options {
   std::filesystem::path case_file;
   std::filesystem::path out;
   bool json = false;
+  bool no_progress = false;
   bool keep_checkpoint = false;
   double checkpoint_interval_s = RunOptions{}.checkpoint_interval_s;
   std::string precision = "single";
@@ -38,8 +39,8 @@ std::string text_of(const std::filesystem::path& file) {
   return text;
 }
 
-void show_progress(const solver::Progress& p) {
-  fmt::print(stderr, "\r\033[K{:3.0f} %  {}, {:.1f} s", 100 * p.fraction, p.stage, p.time_s);
+std::string text_of(const solver::Progress& p) {
+  return fmt::format("{:3.0f} %  {}, {:.1f} s", 100 * p.fraction, p.stage, p.time_s);
 }
 
 void print_summary(const SectionResult& r, const std::filesystem::path& out) {
@@ -71,7 +72,7 @@ RunOutcome run(const Options& options, const RunOptions& run_options) {
             ? "there is"
             : fmt::format("the {:.3g} GB it may use", static_cast<double>(limit.rlim_cur) / 1e9));
   } catch (const std::exception& error) {
-    if (!tells_of_full_disk(error)) throw;
+    if (!disk::tells_of_full_disk(error)) throw;
     outcome.code = ExitCode::disk_full;
     fmt::print(stderr, "error: {}\n", error.what());
   }
@@ -82,7 +83,7 @@ int simulate(const Options& options) {
   const InterruptSignals signals;
   // A limit on the size of files then tells itself as an error, like a full disk.
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
-  const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
+  ProgressLine progress(options.json || options.no_progress);
   RunOptions run_options;
   run_options.precision =
       options.full ? Precision::double_precision : precision_from(options.precision).value();
@@ -92,9 +93,9 @@ int simulate(const Options& options) {
   run_options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   run_options.keep_checkpoint = options.keep_checkpoint;
   run_options.checkpoint_interval_s = options.checkpoint_interval_s;
-  if (terminal) run_options.progress = show_progress;
+  run_options.progress = [&progress](const solver::Progress& p) { progress.show(text_of(p)); };
   const RunOutcome outcome = run(options, run_options);
-  if (terminal && outcome.code != ExitCode::invalid) fmt::print(stderr, "\n");
+  progress.end();
 
   for (const Fault& fault : outcome.faults) {
     fmt::print(stderr, "{}: {}\n", fault.pointer.empty() ? "/" : fault.pointer, fault.message);
@@ -117,8 +118,15 @@ void add_simulate(CLI::App& app, int& exit_code) {
       ->required()
       ->check(CLI::ExistingFile);
   command->add_option("--out", options->out, "folder of the result; made where it is missing")
-      ->required();
+      ->required()
+      ->check([](const std::string& path) {
+        return std::filesystem::is_regular_file(path)
+                   ? "is '" + path + "', a file: name a folder, which is made where it is missing"
+                   : std::string();
+      });
   command->add_flag("--json", options->json, "print result.json");
+  command->add_flag("--no-progress", options->no_progress,
+                    "no progress on standard error; DIR/progress.json has it");
   command
       ->add_option("--checkpoint-interval-s", options->checkpoint_interval_s,
                    "time between checkpoints, s")

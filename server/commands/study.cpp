@@ -77,9 +77,9 @@ void show_line(const StudyProgress& p) {
 }
 
 void leave(const Study& study, const fs::path& out) {
-  write_whole(out / "study.csv", study_csv(study));
-  write_whole(out / "study.svg", study_svg(study));
-  write_whole(out / "study.json", to_document(study).dump(2) + "\n");
+  disk::write_whole(out / "study.csv", study_csv(study));
+  disk::write_whole(out / "study.svg", study_svg(study));
+  disk::write_whole(out / "study.json", to_document(study).dump(2) + "\n");
 }
 
 int run(const Options& options) {

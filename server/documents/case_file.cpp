@@ -2,12 +2,12 @@
 
 #include <utility>
 
+#include "disk/sha256.hpp"
 #include "server/documents/execute_options.hpp"
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/object_reader.hpp"
 #include "server/documents/published_schema.hpp"
 #include "server/documents/settings_reader.hpp"
-#include "server/documents/sha256.hpp"
 #include "server/documents/soil_reader.hpp"
 
 namespace leda::server {
@@ -103,6 +103,8 @@ Parsed<CaseFile> parse_simulate_request(std::string_view text) {
 
 std::string canonical_text(const CaseFile& case_file) { return to_document(case_file).dump(); }
 
-std::string case_sha256(const CaseFile& case_file) { return sha256(canonical_text(case_file)); }
+std::string case_sha256(const CaseFile& case_file) {
+  return disk::sha256_of(canonical_text(case_file));
+}
 
 }  // namespace leda::server

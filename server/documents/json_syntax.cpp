@@ -95,6 +95,9 @@ Parsed<json> parse_json(std::string_view text) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return {std::nullopt, {{"", "is empty, must be a JSON object"}}};
   }
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+    return {std::nullopt, {{"", "is written in UTF-16: save it as UTF-8"}}};
+  }
   SyntaxCheck check;
   json::sax_parse(text, &check);
   if (auto faults = check.faults.take(); !faults.empty()) return {std::nullopt, std::move(faults)};

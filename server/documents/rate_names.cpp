@@ -47,7 +47,8 @@ void unknown(const ObjectReader& reader, const std::string& law, const char* kno
 
 }  // namespace
 
-std::optional<RateLaw> read_rate(const json& value, const std::string& at, FaultList& faults) {
+std::optional<RateLaw> read_rate(const json& value, const std::string& at, FaultList& faults,
+                                 const std::string& beside) {
   ObjectReader reader(value, at, faults);
   const std::string law = reader.text("law");
   std::optional<RateLaw> rate;
@@ -62,6 +63,7 @@ std::optional<RateLaw> read_rate(const json& value, const std::string& at, Fault
     unknown(reader, law, "semi-logarithmic, power, additive-power", faults);
     return rate;
   }
+  if (!beside.empty()) reader.find(beside);
   reader.refuse_unknown();
   return rate;
 }

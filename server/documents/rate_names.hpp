@@ -11,8 +11,9 @@
 namespace leda::server {
 
 /// Nothing, and a fault, where the law is not known: what its members mean is not known either.
+/// @param beside a key that stands beside those of the law; empty: none
 std::optional<RateLaw> read_rate(const nlohmann::json& value, const std::string& at,
-                                 FaultList& faults);
+                                 FaultList& faults, const std::string& beside = "");
 std::optional<FlowLaw> read_flow(const nlohmann::json& value, const std::string& at,
                                  FaultList& faults);
 

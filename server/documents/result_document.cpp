@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "disk/sha256.hpp"
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/object_reader.hpp"
 
@@ -144,10 +145,6 @@ std::int64_t read_count(ObjectReader& reader, const char* key) {
   return reader.require(key) ? reader.integer_or(key, 0) : 0;
 }
 
-bool is_sha256(const std::string& text) {
-  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
 SectionResult read_members(ObjectReader& reader, FaultList& faults) {
   SectionResult result;
   const std::string status = reader.text("status");
@@ -180,7 +177,7 @@ SectionResult read_members(ObjectReader& reader, FaultList& faults) {
   read_warnings(reader, result, faults);
   read_bounds(reader, result, faults);
   result.case_sha256 = reader.text("case_sha256");
-  if (!result.case_sha256.empty() && !is_sha256(result.case_sha256)) {
+  if (!result.case_sha256.empty() && !disk::is_sha256(result.case_sha256)) {
     faults.add(reader.at("case_sha256"), "must be 64 lower-case hex digits");
   }
   result.version = reader.text("version");

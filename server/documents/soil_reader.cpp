@@ -109,9 +109,7 @@ std::optional<Softening> read_softening(const json& value, const std::string& at
 
 // The law of the strength above the remolded one, and in it that of the remolded strength.
 void read_rates(const json& value, const std::string& at, Material& m, FaultList& faults) {
-  json above = value;
-  if (above.is_object()) above.erase("remolded");
-  m.rate = read_rate(above, at, faults);
+  m.rate = read_rate(value, at, faults, "remolded");
   if (value.is_object() && value.contains("remolded")) {
     m.remolded_rate = read_rate(value.at("remolded"), at + "/remolded", faults);
   }

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "server/documents/sha256.hpp"
+#include "disk/sha256.hpp"
 #include "server/operate/data_folder.hpp"
 
 namespace leda::server {
@@ -22,10 +22,6 @@ std::optional<Role> role_from(const std::string& word) {
     if (word == to_string(role)) return role;
   }
   return std::nullopt;
-}
-
-bool is_sha256(const std::string& text) {
-  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
 void refuse_writable_by_others(const std::filesystem::path& file) {
@@ -66,7 +62,7 @@ Tokens::Tokens(const std::filesystem::path& file) {
     if (!(words >> role)) continue;
     words >> hash >> name;
     const auto known = role_from(role);
-    if (!known || !is_sha256(hash) || name.empty()) {
+    if (!known || !disk::is_sha256(hash) || name.empty()) {
       faults += "\n  line " + std::to_string(number) + ": must be ROLE SHA256 NAME, with read, " +
                 "submit or admin and 64 hex digits; `leda token` writes one";
       continue;
@@ -80,7 +76,7 @@ Tokens::Tokens(const std::filesystem::path& file) {
 
 std::optional<TokenHolder> Tokens::holder_of(const std::string& token) const {
   if (token.empty() || token.size() > longest_token) return std::nullopt;
-  const std::string hash = sha256(token);
+  const std::string hash = disk::sha256_of(token);
   const Entry* found = nullptr;
   for (const Entry& entry : entries_) {
     if (CRYPTO_memcmp(entry.sha256.data(), hash.data(), hash.size()) == 0) found = &entry;
@@ -92,7 +88,7 @@ std::optional<TokenHolder> Tokens::holder_of(const std::string& token) const {
 std::string new_token() { return "leda_" + random_hex(64); }
 
 std::string token_line(const std::string& token, Role role, const std::string& name) {
-  return std::string(to_string(role)) + " " + sha256(token) + " " + name;
+  return std::string(to_string(role)) + " " + disk::sha256_of(token) + " " + name;
 }
 
 std::string bearer_token(const std::string& authorization) {

@@ -1,36 +1,18 @@
 #include "server/http/guarded_connection.hpp"
 
-#include <arpa/inet.h>
 #include <poll.h>
 #include <sys/socket.h>
 
-#include <algorithm>
-#include <cstring>
+#include <string>
 
 namespace leda::server {
 namespace {
 
 constexpr double least_bytes_a_ms = 1.024;  // a kilobyte a second
 
-void address_of(const sockaddr_storage& from, std::string& ip, int& port) {
-  char text[INET6_ADDRSTRLEN] = "";
-  if (from.ss_family == AF_INET) {
-    sockaddr_in v4{};
-    std::memcpy(&v4, &from, sizeof(v4));
-    inet_ntop(AF_INET, &v4.sin_addr, text, sizeof(text));
-    port = ntohs(v4.sin_port);
-  } else if (from.ss_family == AF_INET6) {
-    sockaddr_in6 v6{};
-    std::memcpy(&v6, &from, sizeof(v6));
-    inet_ntop(AF_INET6, &v6.sin6_addr, text, sizeof(text));
-    port = ntohs(v6.sin6_port);
-  }
-  ip = text;
-}
-
 }  // namespace
 
-void send_and_forget(socket_t socket, int status, const char* title, const char* more_headers) {
+void send_and_forget(int socket, int status, const char* title, const char* more_headers) {
   const std::string body = "{\"type\":\"about:blank\",\"title\":\"" + std::string(title) +
                            "\",\"status\":" + std::to_string(status) + ",\"detail\":\"" + title +
                            "\",\"instance\":\"\"}\n";
@@ -42,7 +24,7 @@ void send_and_forget(socket_t socket, int status, const char* title, const char*
       send(socket, answer.data(), answer.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 
-GuardedConnection::GuardedConnection(socket_t socket, const Limits& limits)
+GuardedConnection::GuardedConnection(int socket, const Limits& limits)
     : socket_(socket), limits_(limits) {}
 
 bool GuardedConnection::wait_for(short events, Milliseconds most) const {
@@ -133,19 +115,13 @@ ssize_t GuardedConnection::write(const char* from, std::size_t size) {
   return sent;
 }
 
-void GuardedConnection::get_remote_ip_and_port(std::string& ip, int& port) const {
-  sockaddr_storage from{};
-  socklen_t size = sizeof(from);
-  if (getpeername(socket_, reinterpret_cast<sockaddr*>(&from), &size) == 0) {
-    address_of(from, ip, port);
-  }
-}
-
-void GuardedConnection::get_local_ip_and_port(std::string& ip, int& port) const {
-  sockaddr_storage from{};
-  socklen_t size = sizeof(from);
-  if (getsockname(socket_, reinterpret_cast<sockaddr*>(&from), &size) == 0) {
-    address_of(from, ip, port);
+void linger(int socket) {
+  constexpr int most_reads = 1024;
+  char dropped[16'384];
+  ::shutdown(socket, SHUT_WR);
+  for (int i = 0; i < most_reads; ++i) {
+    pollfd one{socket, POLLIN, 0};
+    if (poll(&one, 1, 500) <= 0 || recv(socket, dropped, sizeof(dropped), 0) <= 0) return;
   }
 }
 

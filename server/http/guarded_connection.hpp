@@ -1,27 +1,26 @@
 #pragma once
-// A connection that a slow, endless or silent client cannot hold. Includes cpp-httplib.
+// A connection that a slow, endless or silent client cannot hold.
 
-#include <httplib.h>
+#include <sys/types.h>
 
 #include <chrono>
+#include <cstddef>
 
 #include "server/http/limits.hpp"
 
 namespace leda::server {
 
-/// One request and its answer on a socket. The library itself bounds neither the length of the
+/// One request and its answer on a socket. cpp-httplib itself bounds neither the length of the
 /// header nor the time it takes, so both are watched here, byte by byte.
-class GuardedConnection final : public httplib::Stream {
+class GuardedConnection {
  public:
-  GuardedConnection(socket_t socket, const Limits& limits);
+  GuardedConnection(int socket, const Limits& limits);
 
-  bool is_readable() const override;
-  bool is_writable() const override;
-  ssize_t read(char* to, std::size_t size) override;
-  ssize_t write(const char* from, std::size_t size) override;
-  void get_remote_ip_and_port(std::string& ip, int& port) const override;
-  void get_local_ip_and_port(std::string& ip, int& port) const override;
-  socket_t socket() const override { return socket_; }
+  bool is_readable() const;
+  bool is_writable() const;
+  ssize_t read(char* to, std::size_t size);
+  ssize_t write(const char* from, std::size_t size);
+  int socket() const { return socket_; }
 
   /// The client broke a limit and was told; nothing more is sent or read.
   bool is_broken_off() const { return broken_off_; }
@@ -36,7 +35,7 @@ class GuardedConnection final : public httplib::Stream {
   bool is_too_slow(std::size_t bytes) const;
   void break_off(int status, const char* title);
 
-  socket_t socket_;
+  int socket_;
   const Limits& limits_;
   char buffer_[4096]{};
   std::size_t at_ = 0, end_ = 0;  ///< of what was received and not read yet
@@ -49,6 +48,10 @@ class GuardedConnection final : public httplib::Stream {
 };
 
 /// A short answer of the server's own, for a connection that gets no other. Never waits.
-void send_and_forget(socket_t socket, int status, const char* title, const char* more_headers);
+void send_and_forget(int socket, int status, const char* title, const char* more_headers);
+
+/// Lets the client read its answer before the connection is cut: what it still sends is dropped
+/// for a moment, else the machine would answer it with a reset.
+void linger(int socket);
 
 }  // namespace leda::server

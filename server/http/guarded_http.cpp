@@ -1,17 +1,20 @@
 #include "server/http/guarded_http.hpp"
 
+#include <arpa/inet.h>
+#include <httplib.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <condition_variable>
-#include <deque>
-#include <memory>
-#include <mutex>
-#include <thread>
-#include <vector>
+#include <atomic>
+#include <cstring>
 
+#include "server/http/bounded_pool.hpp"
 #include "server/http/guarded_connection.hpp"
+#include "server/operate/slots.hpp"
+
+// Of cpp-httplib 0.11: the private virtual process_and_close_socket(), the protected
+// process_request(), the pure virtuals of Stream and TaskQueue, Response::content_length_.
 
 namespace leda::server {
 namespace {
@@ -31,70 +34,67 @@ ThisThread& this_thread() {
   return own;
 }
 
-/// Lets the client read its answer before the connection is cut: what it still sends is dropped
-/// for a moment, else the machine would answer it with a reset.
-void linger(socket_t socket) {
-  constexpr int most_reads = 1024;
-  char dropped[16'384];
-  ::shutdown(socket, SHUT_WR);
-  for (int i = 0; i < most_reads; ++i) {
-    pollfd one{socket, POLLIN, 0};
-    if (poll(&one, 1, 500) <= 0 || recv(socket, dropped, sizeof(dropped), 0) <= 0) return;
-  }
-}
-
-/// A fixed number of threads and of waiting connections. One more is turned away at once, by the
-/// thread that accepted it.
-class BoundedPool final : public httplib::TaskQueue {
+/// A connection beyond those that may wait is turned away at once, by the thread that accepted it.
+class Queue final : public httplib::TaskQueue {
  public:
-  BoundedPool(std::size_t threads, std::size_t most_waiting) : most_waiting_(most_waiting) {
-    for (std::size_t i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
-  }
+  Queue(std::size_t threads, std::size_t most_waiting) : pool_(threads, most_waiting) {}
 
   void enqueue(std::function<void()> connection) override {
-    {
-      const std::lock_guard lock(mutex_);
-      if (waiting_.size() < most_waiting_) {
-        waiting_.push_back(std::move(connection));
-        wake_.notify_one();
-        return;
-      }
-    }
+    if (pool_.take(connection)) return;
     this_thread().turns_away = true;
     connection();
     this_thread().turns_away = false;
   }
+  void shutdown() override { pool_.shutdown(); }
 
-  void shutdown() override {
-    {
-      const std::lock_guard lock(mutex_);
-      ending_ = true;
-    }
-    wake_.notify_all();
-    for (auto& thread : threads_) thread.join();
+ private:
+  BoundedPool pool_;
+};
+
+void read_address(const sockaddr_storage& from, std::string& ip, int& port) {
+  char text[INET6_ADDRSTRLEN] = "";
+  if (from.ss_family == AF_INET) {
+    sockaddr_in v4{};
+    std::memcpy(&v4, &from, sizeof(v4));
+    inet_ntop(AF_INET, &v4.sin_addr, text, sizeof(text));
+    port = ntohs(v4.sin_port);
+  } else if (from.ss_family == AF_INET6) {
+    sockaddr_in6 v6{};
+    std::memcpy(&v6, &from, sizeof(v6));
+    inet_ntop(AF_INET6, &v6.sin6_addr, text, sizeof(text));
+    port = ntohs(v6.sin6_port);
+  }
+  ip = text;
+}
+
+/// A guarded connection as the library wants it.
+class GuardedStream final : public httplib::Stream {
+ public:
+  explicit GuardedStream(GuardedConnection& of) : of_(of) {}
+
+  bool is_readable() const override { return of_.is_readable(); }
+  bool is_writable() const override { return of_.is_writable(); }
+  ssize_t read(char* to, std::size_t size) override { return of_.read(to, size); }
+  ssize_t write(const char* from, std::size_t size) override { return of_.write(from, size); }
+  socket_t socket() const override { return of_.socket(); }
+  void get_remote_ip_and_port(std::string& ip, int& port) const override {
+    address(getpeername, ip, port);
+  }
+  void get_local_ip_and_port(std::string& ip, int& port) const override {
+    address(getsockname, ip, port);
   }
 
  private:
-  void work() {
-    for (;;) {
-      std::function<void()> connection;
-      {
-        std::unique_lock lock(mutex_);
-        wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
-        if (waiting_.empty()) return;
-        connection = std::move(waiting_.front());
-        waiting_.pop_front();
-      }
-      connection();
+  template <class Ask>
+  void address(const Ask& ask, std::string& ip, int& port) const {
+    sockaddr_storage found{};
+    socklen_t size = sizeof(found);
+    if (ask(of_.socket(), reinterpret_cast<sockaddr*>(&found), &size) == 0) {
+      read_address(found, ip, port);
     }
   }
 
-  std::size_t most_waiting_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  std::deque<std::function<void()>> waiting_;
-  bool ending_ = false;
-  std::vector<std::thread> threads_;
+  GuardedConnection& of_;
 };
 
 bool has_something_to_read(socket_t socket) {
@@ -106,51 +106,76 @@ bool has_something_to_read(socket_t socket) {
 
 void close_after_this_answer() { this_thread().closes_after_answer = true; }
 
-GuardedHttp::GuardedHttp(const Limits& limits, std::size_t threads) : limits_(limits) {
-  const std::size_t waiting = limits.connections > threads ? limits.connections - threads : 1;
-  new_task_queue = [threads, waiting] {
-    return std::make_unique<BoundedPool>(threads, waiting).release();
-  };
-  // Not SO_REUSEPORT, as the library would: two servers would share a port without a word.
-  set_socket_options([this](socket_t socket) {
-    listening_ = socket;
-    const int yes = 1;
-    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
-  });
+bool has_content(const httplib::Response& response) {
+  return !response.body.empty() || response.content_length_ > 0;
 }
 
-void GuardedHttp::lengthen_backlog() const {
-  if (listening_ >= 0) ::listen(listening_, backlog);
-}
-
-bool GuardedHttp::process_and_close_socket(socket_t socket) {
-  bool answered = false;
-  if (this_thread().turns_away) {
-    send_and_forget(socket, 503, "Too many connections", "Retry-After: 1\r\n");
-  } else {
-    const auto counted = open_.take();
-    answered = answer_requests(socket);
+class GuardedHttp::Inside final : public httplib::Server {
+ public:
+  Inside(const Limits& limits, std::size_t threads) : limits_(limits) {
+    const std::size_t waiting = limits.connections > threads ? limits.connections - threads : 1;
+    new_task_queue = [threads, waiting] {
+      return std::make_unique<Queue>(threads, waiting).release();
+    };
+    // Not SO_REUSEPORT, as the library would: two servers would share a port without a word.
+    set_socket_options([this](socket_t socket) {
+      listening_ = socket;
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+    });
   }
-  if (this_thread().closes_after_answer) linger(socket);
-  this_thread().closes_after_answer = false;
-  ::shutdown(socket, SHUT_RDWR);
-  ::close(socket);
-  return answered;
-}
 
-bool GuardedHttp::answer_requests(socket_t socket) {
-  bool answered = false;
-  for (int left = requests_of_a_connection; left > 0 && !ending_; --left) {
-    if (!has_something_to_read(socket)) break;
-    GuardedConnection connection(socket, limits_);
-    bool closed = false;
-    // The library's own ranges have wrong lengths beyond an end; send() has those of Leda.
-    const auto without_ranges = [](httplib::Request& request) { request.ranges.clear(); };
-    answered = process_request(connection, left == 1, closed, without_ranges);
-    if (!answered || closed || this_thread().closes_after_answer || connection.is_broken_off())
-      break;
+  void lengthen_backlog() const {
+    if (listening_ >= 0) ::listen(listening_, backlog);
   }
-  return answered;
-}
+  void end_soon() { ending_ = true; }
+  std::size_t connections() const { return open_.taken(); }
+
+ private:
+  bool process_and_close_socket(socket_t socket) override {
+    bool answered = false;
+    if (this_thread().turns_away) {
+      send_and_forget(socket, 503, "Too many connections", "Retry-After: 1\r\n");
+    } else {
+      const auto counted = open_.take();
+      answered = answer_requests(socket);
+    }
+    if (this_thread().closes_after_answer) linger(socket);
+    this_thread().closes_after_answer = false;
+    ::shutdown(socket, SHUT_RDWR);
+    ::close(socket);
+    return answered;
+  }
+
+  bool answer_requests(socket_t socket) {
+    bool answered = false;
+    for (int left = requests_of_a_connection; left > 0 && !ending_; --left) {
+      if (!has_something_to_read(socket)) break;
+      GuardedConnection connection(socket, limits_);
+      GuardedStream stream(connection);
+      bool closed = false;
+      // The library's own ranges have wrong lengths beyond an end; send() has those of Leda.
+      const auto without_ranges = [](httplib::Request& request) { request.ranges.clear(); };
+      answered = process_request(stream, left == 1, closed, without_ranges);
+      if (!answered || closed || this_thread().closes_after_answer || connection.is_broken_off())
+        break;
+    }
+    return answered;
+  }
+
+  const Limits limits_;
+  socket_t listening_ = -1;
+  Slots open_;
+  std::atomic<bool> ending_{false};
+};
+
+GuardedHttp::GuardedHttp(const Limits& limits, std::size_t threads)
+    : inside_(std::make_unique<Inside>(limits, threads)) {}
+GuardedHttp::~GuardedHttp() = default;
+
+httplib::Server& GuardedHttp::server() { return *inside_; }
+void GuardedHttp::lengthen_backlog() const { inside_->lengthen_backlog(); }
+void GuardedHttp::end_soon() { inside_->end_soon(); }
+std::size_t GuardedHttp::connections() const { return inside_->connections(); }
 
 }  // namespace leda::server

@@ -1,13 +1,17 @@
 #pragma once
-// cpp-httplib's server with a limit on connections and on what each of them may take.
-// Includes cpp-httplib.
+// cpp-httplib's server with a limit on connections and on what each of them may take. What depends
+// on inner parts of that library, which change with its releases, is in guarded_http.cpp and
+// nowhere else: the architecture test sees to it.
 
-#include <httplib.h>
-
-#include <atomic>
+#include <cstddef>
+#include <memory>
 
 #include "server/http/limits.hpp"
-#include "server/http/slots.hpp"
+
+namespace httplib {
+class Server;
+struct Response;
+}  // namespace httplib
 
 namespace leda::server {
 
@@ -15,24 +19,27 @@ namespace leda::server {
 /// unread, and the library would take it for the next request.
 void close_after_this_answer();
 
-class GuardedHttp final : public httplib::Server {
+/// Whether an answer has a body already, or something that gives one.
+bool has_content(const httplib::Response& response);
+
+class GuardedHttp {
  public:
   /// @param threads that answer; connections beyond wait their turn
   GuardedHttp(const Limits& limits, std::size_t threads);
+  ~GuardedHttp();
+  GuardedHttp(const GuardedHttp&) = delete;
+  GuardedHttp& operator=(const GuardedHttp&) = delete;
 
+  /// To set handlers, bind and listen.
+  httplib::Server& server();
   /// Longer than the five that the library asks for: a browser opens six connections at once.
   void lengthen_backlog() const;
-  void end_soon() { ending_ = true; }
-  std::size_t connections() const { return open_.taken(); }
+  void end_soon();
+  std::size_t connections() const;  ///< open now
 
  private:
-  bool process_and_close_socket(socket_t socket) override;
-  bool answer_requests(socket_t socket);
-
-  const Limits limits_;
-  socket_t listening_ = -1;
-  Slots open_;
-  std::atomic<bool> ending_{false};
+  class Inside;
+  std::unique_ptr<Inside> inside_;
 };
 
 }  // namespace leda::server

@@ -69,7 +69,7 @@ void handle(Site& site, const httplib::Request& request, httplib::Response& resp
 
 /// Problems that the library finds by itself get the same form as all others.
 void fill_error(const httplib::Request& request, httplib::Response& response) {
-  if (!response.body.empty() || response.content_length_ > 0) return;
+  if (has_content(response)) return;
   const auto problem = [&] {
     if (response.status == 413) return Problem(Failure::too_large, "the body is too large");
     if (response.status == 416) {
@@ -191,7 +191,8 @@ struct HttpServer::Running {
 
 HttpServer::HttpServer(Site& site, const ListenAddress& address)
     : running_(std::make_unique<Running>(site)) {
-  GuardedHttp& http = running_->http;
+  GuardedHttp& guarded = running_->http;
+  httplib::Server& http = guarded.server();
   set_up(http, site);
   int port = address.port;
   const bool bound = port == 0 ? (port = http.bind_to_any_port(address.host)) > 0
@@ -202,17 +203,17 @@ HttpServer::HttpServer(Site& site, const ListenAddress& address)
     throw ListenError("cannot listen on " + shown + ":" + std::to_string(address.port) +
                       ": is the port in use?");
   }
-  http.lengthen_backlog();
+  guarded.lengthen_backlog();
   site.url =
       site.public_url.empty() ? "http://" + shown + ":" + std::to_string(port) : site.public_url;
-  site.connections = [&http] { return http.connections(); };
+  site.connections = [&guarded] { return guarded.connections(); };
   running_->thread = std::thread([&http] { http.listen_after_bind(); });
 }
 
 HttpServer::~HttpServer() {
   running_->site.stopping = true;
   running_->http.end_soon();
-  running_->http.stop();
+  running_->http.server().stop();
   if (running_->thread.joinable()) running_->thread.join();
   running_->site.connections = [] { return std::size_t{0}; };
 }

@@ -10,8 +10,8 @@
 #include "server/http/auth.hpp"
 #include "server/http/cors.hpp"
 #include "server/http/limits.hpp"
-#include "server/http/slots.hpp"
 #include "server/jobs/service.hpp"
+#include "server/operate/slots.hpp"
 
 namespace leda::server {
 
@@ -37,6 +37,7 @@ struct Site {
   const AllowedOrigins origins;
   const std::string public_url;
   std::string url;                ///< "http://127.0.0.1:8080", where it is served
+  db::Turns hillshades{1};        ///< each reads a whole DEM
   db::Turns pages{8};             ///< of many sections: each takes megabytes while it is made
   Slots streams{limits.streams};  ///< of events
   Slots registrations{limits.registrations};  ///< of DEMs

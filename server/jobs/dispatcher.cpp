@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "server/layers/summary.hpp"
+#include "disk/whole_file.hpp"
 #include "server/operate/logging.hpp"
 #include "server/operate/problem.hpp"
 #include "server/run/run_checkpoint.hpp"
-#include "server/run/whole_file.hpp"
 
 namespace leda::server {
 
@@ -38,7 +37,7 @@ void hand_over(const DataFolder& data, const std::string& job, const std::string
   try {
     hand_over_checkpoint(data.run(from), data.run(to));
   } catch (const std::exception& error) {
-    if (tells_of_full_disk(error)) throw;
+    if (disk::tells_of_full_disk(error)) throw;
     remove_checkpoint(data.run(to));
     log_warning(job, "no checkpoint is handed over run={} reason={}", to, in_quotes(error.what()));
   }
@@ -106,8 +105,6 @@ void Dispatcher::work() {
   for (bool stopped = false; !stopped;) {
     auto pause = between_turns;
     try {
-      const std::lock_guard lock(mutex_);
-      if (!executor_) executor_ = make_executor_();
       turn();
       last_turn_ = std::chrono::steady_clock::now();
     } catch (const std::exception& error) {
@@ -124,21 +121,25 @@ void Dispatcher::work() {
 }
 
 void Dispatcher::turn() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!executor_) executor_ = make_executor_();
+  }
   take_up_new_jobs();
-  for (auto& end : executor_->poll()) ended_.push_back(std::move(end));
-  while (!ended_.empty()) {
-    settle(ended_.front());
-    ended_.pop_front();
+  settle_ended_runs();
+  const auto fractions = read_fractions();
+  {
+    const std::lock_guard lock(mutex_);
+    // A limit, because screening may finish thousands of sections without ever filling a slot, and
+    // the jobs of others wait for the lock meanwhile.
+    for (int i = 0; i < most_starts_a_turn && executor_->free_slots() > 0 &&
+                    std::chrono::steady_clock::now() >= no_start_before_ && start_next();
+         ++i) {
+    }
+    running_ = runs_.size();
+    book_started_jobs();
+    if (fractions) report_progress(*fractions);
   }
-  // A limit, because screening may finish thousands of sections without ever filling a slot, and
-  // the jobs of others wait for the lock meanwhile.
-  for (int i = 0; i < most_starts_a_turn && executor_->free_slots() > 0 &&
-                  std::chrono::steady_clock::now() >= no_start_before_ && start_next();
-       ++i) {
-  }
-  running_ = runs_.size();
-  book_started_jobs();
-  report_progress();
   finish_done_jobs();
 }
 
@@ -158,71 +159,84 @@ void Dispatcher::take_up_new_jobs() {
 }
 
 void Dispatcher::take_up(const std::string& id) {
-  const auto record = store_.job(id);
-  if (!record || jobs_.contains(id)) return;
-  if (record->state != JobState::accepted && record->state != JobState::running) return;
+  auto job = open(id);
+  if (!job) return;
+  const auto left = left_running(*job);
+  const std::lock_guard lock(mutex_);
+  const auto now = store_.job(id);
+  if (!now || now->state == JobState::dismissed) return;
+  recover(*job, left);
+  log_info(id, "taken up sections={} waiting={}", job->sections.size(),
+           job->sections.counts().of(SectionState::waiting));
+  jobs_[id] = std::move(*job);
+}
+
+/// Nothing where the job is finished or known already, or cannot be understood.
+std::optional<Dispatcher::OpenJob> Dispatcher::open(const std::string& id) {
+  auto record = store_.job(id);
+  if (!record || db::is_final(record->state)) return std::nullopt;
+  {
+    const std::lock_guard lock(mutex_);
+    if (jobs_.contains(id)) return std::nullopt;
+  }
   OpenJob job;
-  job.record = *record;
   try {
     const Process* process = find_process(record->process);
     if (process == nullptr) throw std::runtime_error("no process " + record->process);
     job.work = process->open(record->request, {data_, store_, record->raster});
-    job.sections = store_.sections(id);
-    if (job.sections.empty()) {
+    job.sections = SectionQueue(store_.sections_in_line(id));
+    if (job.sections.size() == 0) {
       store_.set_sections(id, job.work->plan());
-      job.sections = store_.sections(id);
+      job.sections = SectionQueue(store_.sections_in_line(id));
     }
+    job.work->planned();
   } catch (const db::StoreError&) {
     throw;
   } catch (const std::exception& error) {
     log_error(id, "cannot be taken up reason={}", in_quotes(error.what()));
     store_.set_job_state(id, JobState::failed,
                          std::string("the job could not be taken up: ") + error.what());
-    return;
+    return std::nullopt;
   }
-  for (std::size_t i = 0; i < job.sections.size(); ++i) {
-    if (job.sections[i].state == SectionState::waiting) job.waiting.insert(i);
-  }
-  recover(job);
-  log_info(id, "taken up sections={} waiting={}", job.sections.size(), job.waiting.size());
-  jobs_[id] = std::move(job);
+  record->request = {};
+  job.record = std::move(*record);
+  return job;
 }
 
 /// The job with the fewest runs comes first, so that a small one need not wait for a large one.
 bool Dispatcher::start_next() {
   OpenJob* next = nullptr;
   for (auto& [id, job] : jobs_) {
-    if (job.waiting.empty()) continue;
+    if (job.sections.counts().of(SectionState::waiting) == 0) continue;
     const bool sooner = next == nullptr || job.running < next->running ||
                         (job.running == next->running && job.record.created < next->record.created);
     if (sooner) next = &job;
   }
   if (next == nullptr) return false;
-  const std::size_t section = *next->waiting.begin();
-  if (!screened_out(*next, next->sections[section])) start_run(*next, section);
+  const std::size_t index = next->sections.first_waiting().value();
+  auto section = store_.section(next->sections.id(index)).value();
+  if (!screened_out(*next, index, section)) start_run(*next, index, section);
   return true;
 }
 
 /// Screens a section that was not screened yet. True where it needs no run: it is stable then.
-bool Dispatcher::screened_out(OpenJob& job, db::SectionRecord& section) {
+bool Dispatcher::screened_out(OpenJob& job, std::size_t index, db::SectionRecord& section) {
   if (!section.screening.empty()) return false;
   const auto screened = job.work->screen(section);
   if (!screened) return false;
   store_.set_screening(section.id, screened->document);
   section.screening = screened->document;
   if (!screened->skip) return false;
-  section.reason = "not simulated: " + screened->reason;
-  set_state(job, section, SectionState::stable, section.reason);
+  set_state(job, index, SectionState::stable, "not simulated: " + screened->reason);
   return true;
 }
 
 /// A folder with all that a worker needs, booked in the store.
-std::string Dispatcher::new_run(const std::string& job, const db::SectionRecord& section) {
-  const OpenJob& open = jobs_.at(job);
-  std::string run = new_folder(data_, job, section);
+std::string Dispatcher::new_run(const OpenJob& job, const db::SectionRecord& section) {
+  std::string run = new_folder(data_, job.record.id, section);
   try {
-    write_durably(data_.run(run) / "case.json", open.work->case_file(section));
-    if (!section.run.empty()) hand_over(data_, job, section.run, run);
+    disk::write_durably(data_.run(run) / "case.json", job.work->case_file(section));
+    if (!section.run.empty()) hand_over(data_, job.record.id, section.run, run);
     store_.start_run(section.id, run);
   } catch (...) {
     std::error_code ignored;
@@ -232,25 +246,22 @@ std::string Dispatcher::new_run(const std::string& job, const db::SectionRecord&
   return run;
 }
 
-void Dispatcher::start_run(OpenJob& job, std::size_t index) {
-  db::SectionRecord& section = job.sections[index];
+void Dispatcher::start_run(OpenJob& job, std::size_t index, db::SectionRecord& section) {
   const std::string id = job.record.id, before = section.run;
   try {
-    section.run = new_run(id, section);
+    section.run = new_run(job, section);
   } catch (const db::StoreError&) {
     throw;
   } catch (const std::exception& error) {
-    if (tells_of_full_disk(error)) return wait_for_space();
+    if (disk::tells_of_full_disk(error)) return wait_for_space();
     log_error(id, "run cannot be started section={} reason={}", in_quotes(section.name),
               in_quotes(error.what()));
-    set_state(job, section, SectionState::failed,
+    set_state(job, index, SectionState::failed,
               data_.without_root(std::string("the run cannot be started: ") + error.what()));
     return;
   }
   if (!before.empty()) remove_checkpoint_of(before);
-  section.state = SectionState::running;
-  job.waiting.erase(index);
-  ++section.attempts;
+  job.sections.set_state(index, SectionState::running);
   runs_[section.run] = {id, index};
   ++job.running;
   executor_->submit({section.run, data_.run(section.run)});
@@ -260,7 +271,7 @@ void Dispatcher::start_run(OpenJob& job, std::size_t index) {
 void Dispatcher::book_started_jobs() {
   for (auto& [id, job] : jobs_) {
     if (job.record.state != JobState::accepted || job.running == 0) continue;
-    store_.set_job_state(id, JobState::running, progress_message(job.sections));
+    store_.set_job_state(id, JobState::running, progress_message(job.sections.counts()));
     job.record.state = JobState::running;
   }
 }
@@ -293,7 +304,9 @@ void Dispatcher::wind_down() {
       const auto run = runs_.find(end.run);
       if (run == runs_.end()) continue;
       try {
-        if (end.how == RunEnd::How::exited && end.exit_code == 0) settle(end);
+        if (end.how == RunEnd::How::exited && end.exit_code == 0) {
+          settle({end, read_outcome(data_.run(end.run))});
+        }
       } catch (const std::exception& error) {
         log_error("-", "result left for the next start run={} reason={}", end.run,
                   in_quotes(error.what()));

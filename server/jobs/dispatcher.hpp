@@ -11,7 +11,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <set>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -19,6 +19,8 @@
 #include "db/store.hpp"
 #include "server/jobs/executors/executor.hpp"
 #include "server/jobs/process.hpp"
+#include "server/jobs/section_queue.hpp"
+#include "server/jobs/take_in.hpp"
 #include "server/operate/data_folder.hpp"
 
 namespace leda::server {
@@ -58,11 +60,10 @@ class Dispatcher {
 
  private:
   struct OpenJob {
-    db::JobRecord record;
-    std::unique_ptr<Work> work;
-    std::vector<db::SectionRecord> sections;  ///< in step with the store
-    std::set<std::size_t> waiting;            ///< indices of those that wait
-    std::map<std::size_t, int> crashes;       ///< by index of the section
+    db::JobRecord record;  ///< without its request, which may be long
+    std::shared_ptr<Work> work;
+    SectionQueue sections;               ///< in step with the store
+    std::map<std::size_t, int> crashes;  ///< by index of the section
     std::size_t running = 0;
   };
   struct Run {
@@ -70,26 +71,43 @@ class Dispatcher {
     std::size_t section = 0;  ///< index in the job's sections
   };
 
+  /// A run that ended, and what it left: read without the lock.
+  struct Ended {
+    RunEnd end;
+    std::optional<Outcome> outcome;
+  };
+  /// A run that was going on when the server before this one ended.
+  struct Left {
+    std::size_t section = 0;
+    std::string run;
+    Outcome outcome;
+  };
+  using Fractions = std::map<std::string, double>;  ///< by job: running sections, as far as done
+
   void work();
   void turn();
   void take_up_new_jobs();
-  bool screened_out(OpenJob& job, db::SectionRecord& section);
+  bool screened_out(OpenJob& job, std::size_t index, db::SectionRecord& section);
   void take_up(const std::string& id);
-  void recover(OpenJob& job);
-  void settle(const RunEnd& end);
-  void take_in(OpenJob& job, db::SectionRecord& section);
-  void gave_no_result(OpenJob& job, std::size_t index, const RunEnd& end, const std::string& fault);
+  std::optional<OpenJob> open(const std::string& id);
+  std::vector<Left> left_running(const OpenJob& job) const;
+  void recover(OpenJob& job, const std::vector<Left>& left);
+  void settle_ended_runs();
+  void settle(const Ended& ended);
+  void take_in(OpenJob& job, std::size_t index, const std::string& run, const Outcome& outcome);
+  void gave_no_result(OpenJob& job, std::size_t index, const Ended& ended);
   bool start_next();
-  void start_run(OpenJob& job, std::size_t index);
-  std::string new_run(const std::string& job, const db::SectionRecord& section);
+  void start_run(OpenJob& job, std::size_t index, db::SectionRecord& section);
+  std::string new_run(const OpenJob& job, const db::SectionRecord& section);
   void wait_for_space();
   void remove_checkpoint_of(const std::string& run);
   void book_started_jobs();
-  void report_progress();
-  void finish(OpenJob& job);
+  std::optional<Fractions> read_fractions();
+  void report_progress(const Fractions& fractions);
   void finish_done_jobs();
+  void finish(const std::string& id, const Work& work);
   void wind_down();
-  void set_state(OpenJob& job, db::SectionRecord& section, db::SectionState state,
+  void set_state(OpenJob& job, std::size_t index, db::SectionState state,
                  const std::string& reason);
 
   const DataFolder& data_;
@@ -105,9 +123,12 @@ class Dispatcher {
   std::deque<std::string> to_take_up_;
   bool stop_ = false;
 
-  std::mutex mutex_;  ///< guards everything below
+  std::deque<Ended> ended_;  ///< not settled yet; of the dispatcher's thread alone
+
+  /// Guards everything below. What takes long on a disk is done without it: a handler that
+  /// dismisses a job waits for it.
+  std::mutex mutex_;
   std::unique_ptr<Executor> executor_;
-  std::deque<RunEnd> ended_;  ///< not settled yet
   std::map<std::string, OpenJob> jobs_;
   std::map<std::string, Run> runs_;
   std::chrono::steady_clock::time_point progress_told_{};

@@ -3,9 +3,7 @@
 #include <algorithm>
 
 #include "server/jobs/dispatcher.hpp"
-#include "server/jobs/take_in.hpp"
 #include "server/layers/features.hpp"
-#include "server/layers/summary.hpp"
 #include "server/operate/logging.hpp"
 #include "server/run/run_folder.hpp"
 
@@ -22,23 +20,30 @@ constexpr std::chrono::milliseconds between_reports_for_each_run{10};
 
 }  // namespace
 
+std::vector<Dispatcher::Left> Dispatcher::left_running(const OpenJob& job) const {
+  std::vector<Left> left;
+  for (std::size_t index = 0; index < job.sections.size(); ++index) {
+    if (job.sections.state(index) != SectionState::running) continue;
+    const std::string run = store_.section(job.sections.id(index)).value().run;
+    left.push_back({index, run, read_outcome(data_.run(run))});
+  }
+  return left;
+}
+
 /// Runs that ended while nobody watched are taken in, those that still go are adopted, and those
 /// that were cut off start anew.
-void Dispatcher::recover(OpenJob& job) {
+void Dispatcher::recover(OpenJob& job, const std::vector<Left>& left) {
   const std::string& id = job.record.id;
   int restarted = 0, adopted = 0;
-  for (std::size_t index = 0; index < job.sections.size(); ++index) {
-    auto& section = job.sections[index];
-    if (section.state != SectionState::running) continue;
-    const auto folder = data_.run(section.run);
-    if (read_outcome(folder).result) {
-      take_in(job, section);
-    } else if (executor_->adopt({section.run, folder})) {
-      runs_[section.run] = {id, index};
+  for (const auto& [index, run, outcome] : left) {
+    if (outcome.result) {
+      take_in(job, index, run, outcome);
+    } else if (executor_->adopt({run, data_.run(run)})) {
+      runs_[run] = {id, index};
       ++job.running;
       ++adopted;
     } else {
-      set_state(job, section, SectionState::waiting, "");
+      set_state(job, index, SectionState::waiting, "");
       ++restarted;
     }
   }
@@ -47,29 +52,42 @@ void Dispatcher::recover(OpenJob& job) {
   if (restarted > 0 && watch_.restarted) watch_.restarted(restarted);
 }
 
-void Dispatcher::settle(const RunEnd& end) {
-  const auto run = runs_.find(end.run);
+/// An end stays here until it is settled: where the store fails it is tried again.
+void Dispatcher::settle_ended_runs() {
+  {
+    const std::lock_guard lock(mutex_);
+    for (auto& end : executor_->poll()) ended_.push_back({std::move(end), std::nullopt});
+  }
+  while (!ended_.empty()) {
+    Ended& ended = ended_.front();
+    if (!ended.outcome) ended.outcome = read_outcome(data_.run(ended.end.run));
+    const std::lock_guard lock(mutex_);
+    settle(ended);
+    ended_.pop_front();
+  }
+}
+
+void Dispatcher::settle(const Ended& ended) {
+  const auto run = runs_.find(ended.end.run);
   if (run == runs_.end()) return;  // of a job that was dismissed
   OpenJob& job = jobs_.at(run->second.job);
-  const std::size_t index = run->second.section;
-  const bool by_itself = end.how == RunEnd::How::exited;
-  const Outcome outcome = read_outcome(data_.run(end.run));
-  if (by_itself && (end.exit_code == 0 || end.exit_code == 3) && outcome.result) {
-    take_in(job, job.sections[index]);
+  const bool by_itself = ended.end.how == RunEnd::How::exited;
+  const int code = ended.end.exit_code;
+  if (by_itself && (code == 0 || code == 3) && ended.outcome->result) {
+    take_in(job, run->second.section, ended.end.run, *ended.outcome);
     pause_for_space_ = {};
   } else {
-    gave_no_result(job, index, end, outcome.fault);
+    gave_no_result(job, run->second.section, ended);
   }
   --job.running;
-  runs_.erase(end.run);
+  runs_.erase(run);
 }
 
 /// The section waits for another try, or has had the last one.
-void Dispatcher::gave_no_result(OpenJob& job, std::size_t index, const RunEnd& end,
-                                const std::string& fault) {
-  db::SectionRecord& section = job.sections[index];
+void Dispatcher::gave_no_result(OpenJob& job, std::size_t index, const Ended& ended) {
+  const RunEnd& end = ended.end;
   const auto code = end.how == RunEnd::How::exited ? ExitCode(end.exit_code) : ExitCode::failure;
-  std::string reason = end.reason.empty() ? fault : end.reason;
+  std::string reason = end.reason.empty() ? ended.outcome->fault : end.reason;
   if (code == ExitCode::out_of_memory) reason = "memory";
   if (code == ExitCode::disk_full) reason = "the disk is full";
   if (const auto words = last_words(data_.run(end.run)); !words.empty()) reason += ": " + words;
@@ -79,9 +97,9 @@ void Dispatcher::gave_no_result(OpenJob& job, std::size_t index, const RunEnd& e
                         code == ExitCode::out_of_memory;
   const int crashes = job.crashes[index] + (code == ExitCode::disk_full ? 0 : 1);
   const bool again = !hopeless && crashes < most_tries;
-  log_warning(job.record.id, "run gave no result section={} run={} again={} reason={}",
-              in_quotes(section.name), end.run, again, in_quotes(reason));
-  set_state(job, section, again ? SectionState::waiting : SectionState::failed, reason);
+  log_warning(job.record.id, "run gave no result run={} again={} reason={}", end.run, again,
+              in_quotes(reason));
+  set_state(job, index, again ? SectionState::waiting : SectionState::failed, reason);
   // Only now, because a store that fails brings this end back for another turn.
   job.crashes[index] = crashes;
   if (again && watch_.restarted) watch_.restarted(1);
@@ -89,46 +107,56 @@ void Dispatcher::gave_no_result(OpenJob& job, std::size_t index, const RunEnd& e
 }
 
 /// First the file is in place, then the row.
-void Dispatcher::take_in(OpenJob& job, db::SectionRecord& section) {
-  const Outcome outcome = read_outcome(data_.run(section.run));
+void Dispatcher::take_in(OpenJob& job, std::size_t index, const std::string& run,
+                         const Outcome& outcome) {
+  const auto section = store_.section(job.sections.id(index)).value();
   const SectionResult& result = outcome.result.value();
   PlacedResult placed;
   try {
     placed = job.work->place(section, result);
   } catch (const std::exception& error) {
     set_state(
-        job, section, SectionState::failed,
+        job, index, SectionState::failed,
         data_.without_root(std::string("the result has no place on the map: ") + error.what()));
     return;
   }
-  store_.take_in(section.id, section.run, result, placed, outcome.document);
-  remove_checkpoint_of(section.run);
+  store_.take_in(section.id, run, result, placed, outcome.document);
+  remove_checkpoint_of(run);
   const bool usable = result.status != RunStatus::unstable;
-  section.state = usable ? SectionState::finished : SectionState::failed;
-  section.reason = result.reason;
-  section.result = result;
-  section.placed = placed;
+  job.sections.set_state(index, usable ? SectionState::finished : SectionState::failed);
   if (watch_.taken_in) watch_.taken_in(result);
   log_info(job.record.id,
            "result section={} run={} status={} retrogression_m={:.1f} runout_m={:.1f} "
            "run_time_s={:.1f} case_sha256={}",
-           in_quotes(section.name), section.run, to_string(result.status),
+           in_quotes(section.name), run, to_string(result.status),
            result.crest_to_crest_retrogression_m, result.runout_m, result.run_time_s,
            result.case_sha256);
 }
 
-void Dispatcher::report_progress() {
-  const auto now = std::chrono::steady_clock::now();
-  const auto between = std::max(shortest_between_reports,
-                                between_reports_for_each_run * static_cast<int>(runs_.size()));
-  if (now - progress_told_ < between) return;
-  progress_told_ = now;
-  std::map<std::string, double> fractions;
-  for (const auto& [run, of] : runs_) fractions[of.job] += read_fraction(data_.run(run));
+/// Nothing where it is too soon to tell again.
+std::optional<Dispatcher::Fractions> Dispatcher::read_fractions() {
+  std::map<std::string, Run> runs;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto now = std::chrono::steady_clock::now();
+    const auto between = std::max(shortest_between_reports,
+                                  between_reports_for_each_run * static_cast<int>(runs_.size()));
+    if (now - progress_told_ < between) return std::nullopt;
+    progress_told_ = now;
+    runs = runs_;
+  }
+  Fractions fractions;
+  for (const auto& [run, of] : runs) fractions[of.job] += read_fraction(data_.run(run));
+  return fractions;
+}
+
+void Dispatcher::report_progress(const Fractions& fractions) {
   for (auto& [id, job] : jobs_) {
     if (job.record.state != JobState::running) continue;
-    const int percent = progress_percent(job.sections, fractions[id]);
-    const std::string message = progress_message(job.sections);
+    const auto known = fractions.find(id);
+    const int percent =
+        progress_percent(job.sections.counts(), known == fractions.end() ? 0 : known->second);
+    const std::string message = progress_message(job.sections.counts());
     if (percent == job.record.progress && message == job.record.message) continue;
     store_.set_job_progress(id, percent, message);
     job.record.progress = percent;
@@ -137,47 +165,51 @@ void Dispatcher::report_progress() {
 }
 
 void Dispatcher::finish_done_jobs() {
-  for (auto at = jobs_.begin(); at != jobs_.end();) {
-    const bool done = at->second.running == 0 && at->second.waiting.empty();
-    if (done) finish(at->second);
-    at = done ? jobs_.erase(at) : std::next(at);
+  std::vector<std::pair<std::string, std::shared_ptr<Work>>> done;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [id, job] : jobs_) {
+      if (job.running == 0 && job.sections.counts().of(SectionState::waiting) == 0) {
+        done.emplace_back(id, job.work);
+      }
+    }
   }
+  for (const auto& [id, work] : done) finish(id, *work);
 }
 
-void Dispatcher::finish(OpenJob& job) {
-  const std::string& id = job.record.id;
-  JobState state = JobState::successful;
-  std::string message = final_message(job.sections);
-  if (count(job.sections, SectionState::failed) > 0 &&
-      count(job.sections, SectionState::finished) + count(job.sections, SectionState::stable) ==
-          0) {
-    state = JobState::failed;
-  }
+/// Zones are made without the lock; the job may be dismissed meanwhile.
+void Dispatcher::finish(const std::string& id, const Work& work) {
+  std::vector<Zone> zones;
+  std::string fault;
   try {
-    store_.set_zones(id, job.work->zones(job.sections));
-    keep_boxes(store_, job.record);
+    zones = work.zones(store_.sections(id));
   } catch (const db::StoreError&) {
     throw;
   } catch (const std::exception& error) {
-    state = JobState::failed;
-    message = std::string("the zones could not be made: ") + error.what();
+    fault = std::string("the zones could not be made: ") + error.what();
+  }
+  const std::lock_guard lock(mutex_);
+  const auto found = jobs_.find(id);
+  if (found == jobs_.end()) return;
+  const StateCounts& counts = found->second.sections.counts();
+  const bool all_failed = counts.of(SectionState::failed) > 0 &&
+                          counts.of(SectionState::finished) + counts.of(SectionState::stable) == 0;
+  const JobState state = all_failed || !fault.empty() ? JobState::failed : JobState::successful;
+  const std::string message = fault.empty() ? final_message(counts) : fault;
+  if (fault.empty()) {
+    store_.set_zones(id, zones);
+    keep_boxes(store_, found->second.record);
   }
   if (state == JobState::successful) store_.set_job_progress(id, 100, message);
   store_.set_job_state(id, state, message);
+  jobs_.erase(found);
   log_info(id, "finished status={} message={}", db::to_string(state), in_quotes(message));
 }
 
-void Dispatcher::set_state(OpenJob& job, db::SectionRecord& section, SectionState state,
+void Dispatcher::set_state(OpenJob& job, std::size_t index, SectionState state,
                            const std::string& reason) {
-  store_.set_section_state(section.id, state, reason);
-  section.state = state;
-  section.reason = reason;
-  const auto index = static_cast<std::size_t>(&section - job.sections.data());
-  if (state == SectionState::waiting) {
-    job.waiting.insert(index);
-  } else {
-    job.waiting.erase(index);
-  }
+  store_.set_section_state(job.sections.id(index), state, reason);
+  job.sections.set_state(index, state);
 }
 
 }  // namespace leda::server

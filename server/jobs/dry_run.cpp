@@ -71,8 +71,8 @@ json estimate_of(const Sum& sum, const db::TypicalRun& typical) {
 
 }  // namespace
 
-json dry_run(const Process& process, const Work& work, const db::Store& store) {
-  auto sections = work.plan();
+json dry_run(const Process& process, const Work& work, std::vector<db::SectionRecord> sections,
+             const db::Store& store) {
   const db::TypicalRun typical = typical_or_default(store.typical_run());
   const std::size_t every = sections.size() / most_screened_in_a_dry_run + 1;
   Sum sum;
@@ -93,6 +93,7 @@ json dry_run(const Process& process, const Work& work, const db::Store& store) {
   }
   return {{"dryRun", true},
           {"processID", process.id},
+          {"warnings", work.warnings()},
           {"sections", rows},
           {"estimate", estimate_of(sum, typical)}};
 }

@@ -91,23 +91,24 @@ SectionRecord record_of(const LeftOut& left_out, const profiles::LaidSection& la
 
 class Region final : public Work {
  public:
-  Region(const std::string& text, RegionRequest request, db::RasterRecord raster,
+  Region(std::string text, RegionRequest request, db::RasterRecord raster,
          std::filesystem::path dem_file)
-      : document_(nlohmann::json::parse(text)),
+      : text_(std::move(text)),
         request_(std::move(request)),
         raster_(std::move(raster)),
         dem_file_(std::move(dem_file)) {}
 
   std::vector<SectionRecord> plan() const override {
     const auto dem = open_dem();
+    const auto document = nlohmann::json::parse(text_);
     std::vector<SectionRecord> sections;
     RegionFaults of_named, of_laid;  // faults of named lines, and of sections laid along a line
     bool any_fits = false;
-    for (const auto& laid : lay_out(dem)) {
+    for (const auto& laid : lay_out(dem, document)) {
       const auto cut = profiles::trace_profile(laid, dem);
       if (const auto* profile = std::get_if<Profile>(&cut)) {
         auto record = record_of(*profile, laid);
-        const auto faults = check(*profile, record.warnings);
+        const auto faults = check(*profile, record.warnings, document);
         any_fits = any_fits || faults.empty();
         auto& told = laid.line < 0 ? of_named : of_laid;
         for (const auto& fault : faults) told.add(fault.pointer, fault.message, laid.name);
@@ -125,7 +126,14 @@ class Region final : public Work {
     return sections;
   }
 
+  void planned() override {
+    text_ = {};
+    request_.layout = {};
+  }
+
   std::string raster() const override { return raster_.id; }
+
+  std::vector<std::string> warnings() const override { return raster_.warnings; }
 
   std::string case_file(const SectionRecord& section) const override {
     const auto built = profiles::build_section(profile_of(section), request_.soil);
@@ -168,11 +176,12 @@ class Region final : public Work {
     return profiles::Dem::open(dem_file_, options);
   }
 
-  std::vector<profiles::LaidSection> lay_out(const profiles::Dem& dem) const {
+  std::vector<profiles::LaidSection> lay_out(const profiles::Dem& dem,
+                                             const nlohmann::json& document) const {
     profiles::LayoutLimits limits;
     limits.most_sections = JobLimits{}.sections;
     auto layout = profiles::lay_out_sections(request_.layout, dem, limits);
-    for (auto& fault : layout.faults) fault.pointer = layout_pointer(document_, fault.pointer);
+    for (auto& fault : layout.faults) fault.pointer = layout_pointer(document, fault.pointer);
     if (!layout.faults.empty()) {
       throw Problem(Failure::invalid_request, "the sections cannot be laid out on the DEM",
                     layout.faults);
@@ -182,14 +191,15 @@ class Region final : public Work {
 
   /// Faults: soil that does not fit the profile, or a model that is too large. Without faults,
   /// what is odd is added to the warnings.
-  std::vector<Fault> check(const Profile& profile, std::vector<std::string>& warnings) const {
+  std::vector<Fault> check(const Profile& profile, std::vector<std::string>& warnings,
+                           const nlohmann::json& document) const {
     auto built = profiles::build_section(profile, request_.soil);
-    for (auto& fault : built.faults) fault.pointer = soil_pointer(document_, fault.pointer);
+    for (auto& fault : built.faults) fault.pointer = soil_pointer(document, fault.pointer);
     if (!built.faults.empty()) return built.faults;
     auto faults = validate(built.section, request_.settings);
     for (auto& fault : faults) {
       const auto origin = profiles::origin_of(built, fault.pointer);
-      fault.pointer = case_pointer(document_, origin.pointer, origin.model);
+      fault.pointer = case_pointer(document, origin.pointer, origin.model);
     }
     if (faults.empty()) {
       add_new(warnings, built.warnings);
@@ -220,7 +230,7 @@ class Region final : public Work {
                                    section.reason);
   }
 
-  nlohmann::json document_;
+  std::string text_;  ///< of the request: faults point into what the user wrote
   RegionRequest request_;
   db::RasterRecord raster_;
   std::filesystem::path dem_file_;

@@ -24,8 +24,14 @@ class Work {
   /// @throws Problem invalid_request with every fault that can be known before a run
   virtual std::vector<db::SectionRecord> plan() const = 0;
 
+  /// The sections stand in the store: what only plan() needs is let go.
+  virtual void planned() {}
+
   /// Id of the DEM the job stands on; empty: none.
   virtual std::string raster() const = 0;
+
+  /// What is odd about the ground that all sections stand on.
+  virtual std::vector<std::string> warnings() const { return {}; }
 
   /// The self-contained case file of a section, for `leda simulate`.
   virtual std::string case_file(const db::SectionRecord& section) const = 0;

@@ -5,8 +5,8 @@
 #include "server/documents/study_document.hpp"
 #include "server/documents/study_setting.hpp"
 #include "server/drawings/study_drawing.hpp"
+#include "server/jobs/without_map.hpp"
 #include "server/operate/problem.hpp"
-#include "solver/section/crest_and_toe.hpp"
 
 namespace leda::server {
 namespace {
@@ -19,21 +19,13 @@ StudyFile parsed_or_problem(const std::string& request) {
   return std::move(*parsed.value);
 }
 
-class ResolutionStudy final : public Work {
+class ResolutionStudy final : public WithoutMap {
  public:
   explicit ResolutionStudy(StudyFile asked)
       : asked_(std::move(asked)), runs_(solver::study_runs(asked_.question.settings)) {}
 
   std::vector<db::SectionRecord> plan() const override {
-    const Section& section = asked_.of.section;
-    db::SectionRecord record;
-    record.ground = section.ground;
-    if (const auto found = find_crest_and_toe(section.ground)) {
-      record.crest = found->crest;
-      record.toe = found->toe;
-    }
-    record.crest = section.crest.value_or(record.crest);
-    record.toe = section.toe.value_or(record.toe);
+    auto record = record_of(asked_.of.section);
     std::vector<db::SectionRecord> records;
     for (const solver::StudyRun& run : runs_) {
       record.name = run_name(asked_.of, run);
@@ -43,8 +35,6 @@ class ResolutionStudy final : public Work {
     return records;
   }
 
-  std::string raster() const override { return ""; }
-
   std::string case_file(const db::SectionRecord& section) const override {
     return to_document(case_of(section)).dump(2) + "\n";
   }
@@ -52,21 +42,6 @@ class ResolutionStudy final : public Work {
   RunSize size(const db::SectionRecord& section) const override {
     const CaseFile run = case_of(section);
     return run_size(run.section, run.settings);
-  }
-
-  /// A section without a trace has no place on the map.
-  PlacedResult place(const db::SectionRecord& section, const SectionResult& result) const override {
-    PlacedResult placed;
-    placed.section = section.name;
-    placed.retrogression_m = result.crest_to_crest_retrogression_m;
-    placed.runout_m = result.runout_m;
-    placed.warnings = result.warnings;
-    placed.made_by = result.case_sha256 + " leda " + result.version;
-    return placed;
-  }
-
-  std::vector<Zone> zones(const std::vector<db::SectionRecord>& /*sections*/) const override {
-    return {};
   }
 
  private:

@@ -1,34 +1,18 @@
 #include "server/jobs/run_size.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "solver/section/model_size.hpp"
 
 namespace leda::server {
 namespace {
 
-constexpr double gravity = 9.81;
 // Measured on one core of a server processor (solver/measurements.md): 8 to 14 ns.
 constexpr double ns_per_particle_step = 12;
 constexpr db::TypicalRun without_history{0, 40, 0, 0};
 // Bytes of a particle in a frame of fields.h5, deflated, and in the checkpoint.
 constexpr double frame_bytes = 40, checkpoint_bytes = 130;
 constexpr double folder_bytes = 100e3;  // documents, log, profile
-
-double area_above_base(const Section& section) {
-  double area = 0;
-  for (std::size_t i = 1; i < section.ground.size(); ++i) {
-    const Point& a = section.ground[i - 1];
-    const Point& b = section.ground[i];
-    area += (b.x - a.x) * (0.5 * (a.z + b.z) - section.base_m);
-  }
-  return std::max(area, 0.0);
-}
-
-/// Of compression waves: c_p^2 = M / rho with M = 2 G (1 - nu) / (1 - 2 nu).
-double wave_speed(const Material& m) {
-  const double modulus = 2 * m.shear_modulus_Pa * (1 - m.poisson_ratio) / (1 - 2 * m.poisson_ratio);
-  return std::sqrt(modulus * gravity / m.unit_weight);
-}
 
 }  // namespace
 
@@ -39,12 +23,12 @@ RunSize run_size(const Section& section, const RunSettings& settings) {
     for (const Layer& layer : layers_of(section, list)) {
       const auto material = section.materials.find(layer.material);
       if (material != section.materials.end()) {
-        fastest = std::max(fastest, wave_speed(material->second));
+        fastest = std::max(fastest, p_wave_speed(material->second));
       }
     }
   }
   RunSize size;
-  size.particles = area_above_base(section) / (h * h) * settings.resolution.particles_per_cell;
+  size.particles = std::max(particles_of(section, settings.resolution), 0.0);
   size.steps_per_simulated_s = fastest / (settings.time_step_factor * h);
   size.ns_per_particle_step = ns_per_particle_step;
   size.longest_s = settings.stop.max_time_s;

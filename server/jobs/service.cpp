@@ -34,10 +34,6 @@ std::string name_in(const std::string& request) {
   return "";
 }
 
-bool is_finished(db::JobState state) {
-  return state != db::JobState::accepted && state != db::JobState::running;
-}
-
 void refuse_unknown_outputs(const Process& process, const std::string& request) {
   const auto described = process.describe();
   const auto& known = described.at("outputs");
@@ -75,6 +71,21 @@ void refuse_too_large(const Service& service, const Work& work,
                               particles, service.limits.particles),
                   {{"/inputs/resolution/cell_m", "makes too many particles for one job"}});
   }
+}
+
+/// A job that is being laid out counts as one that is unfinished: however many are sent at once,
+/// no more are taken than may be unfinished.
+/// @return held while it is laid out
+Slots::Slot layout_slot(Service& service) {
+  auto slot = service.layouts.take();
+  if (!slot) throw Problem(Failure::too_busy, "other jobs are being laid out: try again soon");
+  db::JobFilter unfinished;
+  unfinished.states = {db::JobState::accepted, db::JobState::running};
+  const auto jobs = static_cast<std::size_t>(service.store.count_jobs(unfinished));
+  if (jobs + service.layouts.taken() > service.limits.unfinished_jobs) {
+    throw Problem(Failure::queue_full, "too many jobs are unfinished: try again later");
+  }
+  return slot;
 }
 
 std::optional<Submitted> stored_reply(const db::Store& store, const Process& process,
@@ -122,11 +133,7 @@ Service::Service(const std::filesystem::path& data_folder, const ServiceOptions&
 Submitted submit(Service& service, const Process& process, const std::string& request,
                  const std::string& key) {
   if (auto stood = stored_reply(service.store, process, request, key)) return *stood;
-  db::JobFilter unfinished;
-  unfinished.states = {db::JobState::accepted, db::JobState::running};
-  if (service.store.count_jobs(unfinished) >= static_cast<int>(service.limits.unfinished_jobs)) {
-    throw Problem(Failure::queue_full, "too many jobs are unfinished: try again later");
-  }
+  const auto slot = layout_slot(service);
   const auto work = opened(service, process, request);
   const auto sections = work->plan();
   refuse_too_large(service, *work, sections);
@@ -151,13 +158,17 @@ Submitted submit(Service& service, const Process& process, const std::string& re
   return {job, false};
 }
 
-nlohmann::json dry_run(const Service& service, const Process& process, const std::string& request) {
-  return dry_run(process, *opened(service, process, request), service.store);
+nlohmann::json dry_run(Service& service, const Process& process, const std::string& request) {
+  const auto slot = layout_slot(service);
+  const auto work = opened(service, process, request);
+  auto sections = work->plan();
+  refuse_too_large(service, *work, sections);
+  return dry_run(process, *work, std::move(sections), service.store);
 }
 
 db::JobRecord retry(Service& service, const std::string& id) {
   const db::JobRecord job = job_or_problem(service.store, id);
-  if (!is_finished(job.state) || job.state == db::JobState::dismissed) {
+  if (!db::is_final(job.state) || job.state == db::JobState::dismissed) {
     throw Problem(Failure::wrong_state, "job " + id + " is " + db::to_string(job.state) +
                                             ": only a finished job can be retried");
   }

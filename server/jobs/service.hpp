@@ -15,6 +15,7 @@
 #include "server/jobs/process.hpp"
 #include "server/operate/data_folder.hpp"
 #include "server/operate/metrics.hpp"
+#include "server/operate/slots.hpp"
 
 namespace leda::server {
 
@@ -40,6 +41,7 @@ struct Service {
   db::Store store;
   Metrics metrics;
   std::mutex submitting;  ///< one job is added at a time, so that a key is used once
+  Slots layouts{limits.layouts};
   Dispatcher dispatcher;  ///< last: it uses all the others
 };
 
@@ -57,9 +59,10 @@ struct Submitted {
 Submitted submit(Service& service, const Process& process, const std::string& request,
                  const std::string& key);
 
-/// What submit() would do: the sections and an estimate of their cost. Changes nothing.
+/// What submit() would do: the sections and an estimate of their cost. Changes nothing, and is
+/// refused where submit() would be.
 /// @throws Problem
-nlohmann::json dry_run(const Service& service, const Process& process, const std::string& request);
+nlohmann::json dry_run(Service& service, const Process& process, const std::string& request);
 
 /// Puts the failed sections of a finished job back in line. @throws Problem
 db::JobRecord retry(Service& service, const std::string& id);

@@ -65,7 +65,7 @@ class Running {
     fs::create_directories(folder);
     // An old result must not be taken for one of the new case.
     fs::remove(folder / "result.json");
-    write_whole(folder / "case.json", to_document(case_of(study_.of, run)).dump(2) + "\n");
+    disk::write_whole(folder / "case.json", to_document(case_of(study_.of, run)).dump(2) + "\n");
     const std::string name = run_name(study_.of, run);
     under_way_[name] = index;
     executor_.submit({name, folder});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -143,7 +144,10 @@ void add_box(std::vector<db::FeatureBox>& boxes, std::int64_t id, const MapLine&
 
 void keep_boxes(db::Store& store, const db::JobRecord& job, const ToCrs84& to_crs84) {
   std::vector<db::FeatureBox> sections, zones;
-  for (const auto& section : store.sections(job.id)) {
+  db::PageFilter all;
+  all.job = job.id;
+  all.limit = std::numeric_limits<int>::max();
+  for (const auto& section : store.section_page(all)) {
     add_box(sections, section.id, to_crs84(section.trace));
   }
   for (const auto& zone : store.zones(job.id)) {

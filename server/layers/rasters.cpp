@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <memory>
+#include <mutex>
 
 #include "profiles/register_dem.hpp"
 #include "server/operate/problem.hpp"
@@ -73,6 +74,13 @@ std::optional<db::RasterRecord> standing(const db::Store& store, const std::stri
   return raster;
 }
 
+/// Held while it is looked up what stands under a name or an id, and that is changed: two
+/// registrations at once would both find the name free.
+std::mutex& names_and_files() {
+  static std::mutex one;
+  return one;
+}
+
 /// First the file, then the row.
 db::RasterRecord put_in_place(const DataFolder& data, db::Store& store, const Checked& checked,
                               const std::string& name) {
@@ -112,6 +120,7 @@ db::RasterRecord register_raster(const DataFolder& data, db::Store& store,
                                  const RegisterOptions& options) {
   refuse_bad_raster_name(name);
   const Checked checked = check(data, file, options);
+  const std::lock_guard alone(names_and_files());
   const auto by_id = standing(store, checked.record.id);
   if (by_id && by_id->name == name) {
     // What counts as missing may be said anew of the same cells.
@@ -132,6 +141,7 @@ db::RasterRecord register_file(const DataFolder& data, db::Store& store,
                                const std::filesystem::path& file, const std::string& name,
                                const RegisterOptions& options) {
   const Checked checked = check(data, file, options);
+  const std::lock_guard alone(names_and_files());
   if (const auto known = standing(store, checked.record.id)) {
     const bool same = known->undeclared_fill_m == checked.record.undeclared_fill_m;
     return same ? *known : put_in_place(data, store, checked, known->name);
@@ -148,6 +158,7 @@ db::RasterRecord raster_or_problem(const db::Store& store, const std::string& id
 }
 
 db::RasterRecord rename_raster(db::Store& store, const std::string& id, const std::string& name) {
+  const std::lock_guard alone(names_and_files());
   const auto raster = raster_or_problem(store, id);
   refuse_bad_raster_name(name);
   const auto other = store.raster(name);
@@ -159,6 +170,7 @@ db::RasterRecord rename_raster(db::Store& store, const std::string& id, const st
 }
 
 void remove_raster(const DataFolder& data, db::Store& store, const std::string& id) {
+  const std::lock_guard alone(names_and_files());
   const auto raster = raster_or_problem(store, id);
   if (!store.remove_raster(raster.id)) {
     throw Problem(Failure::wrong_state, "an unfinished job stands on raster '" + raster.name +

@@ -3,43 +3,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace leda::server {
 
 using db::SectionState;
 
-std::size_t count(const std::vector<db::SectionRecord>& sections, SectionState state) {
-  return static_cast<std::size_t>(
-      std::count_if(sections.begin(), sections.end(),
-                    [state](const auto& section) { return section.state == state; }));
+std::size_t StateCounts::all() const {
+  return std::accumulate(counts_.begin(), counts_.end(), std::size_t{0});
 }
 
-namespace {
-
-std::size_t count_done(const std::vector<db::SectionRecord>& sections) {
-  return sections.size() - count(sections, SectionState::waiting) -
-         count(sections, SectionState::running);
+std::size_t StateCounts::done() const {
+  return all() - of(SectionState::waiting) - of(SectionState::running);
 }
 
-}  // namespace
-
-int progress_percent(const std::vector<db::SectionRecord>& sections, double running_fraction) {
-  if (sections.empty()) return 0;
-  const double done = static_cast<double>(count_done(sections)) + running_fraction;
-  return std::clamp(static_cast<int>(100 * done / static_cast<double>(sections.size())), 0, 99);
+int progress_percent(const StateCounts& sections, double running_fraction) {
+  if (sections.all() == 0) return 0;
+  const double done = static_cast<double>(sections.done()) + running_fraction;
+  return std::clamp(static_cast<int>(100 * done / static_cast<double>(sections.all())), 0, 99);
 }
 
-std::string progress_message(const std::vector<db::SectionRecord>& sections) {
-  return fmt::format("{} of {} sections done, {} running", count_done(sections), sections.size(),
-                     count(sections, SectionState::running));
+std::string progress_message(const StateCounts& sections) {
+  return fmt::format("{} of {} sections done, {} running", sections.done(), sections.all(),
+                     sections.of(SectionState::running));
 }
 
-std::string final_message(const std::vector<db::SectionRecord>& sections) {
+std::string final_message(const StateCounts& sections) {
   std::string text =
-      fmt::format("{} section{}: {} with a result", sections.size(),
-                  sections.size() == 1 ? "" : "s", count(sections, SectionState::finished));
+      fmt::format("{} section{}: {} with a result", sections.all(), sections.all() == 1 ? "" : "s",
+                  sections.of(SectionState::finished));
   const auto also = [&](SectionState state, const char* what) {
-    if (const auto number = count(sections, state); number > 0) {
+    if (const auto number = sections.of(state); number > 0) {
       text += fmt::format(", {} {}", number, what);
     }
   };

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "server/documents/sha256.hpp"
-#include "server/run/whole_file.hpp"
+#include "disk/sha256.hpp"
+#include "disk/whole_file.hpp"
 
 namespace leda::server {
 namespace {
@@ -69,7 +69,7 @@ bool unpack(std::string_view bytes, Frame& frame) {
 }
 
 std::string next_in_chain(const std::string& chain, const std::string& frame) {
-  return sha256(chain + sha256(frame));
+  return disk::sha256_of(chain + disk::sha256_of(frame));
 }
 
 // The frames in the first bytes of a file, one after the other.
@@ -116,7 +116,7 @@ RunCheckpoint::RunCheckpoint(const fs::path& folder, std::string sha256, std::st
 
 std::string RunCheckpoint::head(std::string_view state, const Frames& frames) const {
   return fmt::format("{}\ncase {}\nversion {}\nframes {} {} {}\nstate {}\n", first_line, sha256_,
-                     version_, frames.count, frames.bytes, frames.chain, sha256(state));
+                     version_, frames.count, frames.bytes, frames.chain, disk::sha256_of(state));
 }
 
 // Why the bytes of checkpoint.bin are not to be trusted; empty where they are.
@@ -177,7 +177,7 @@ void RunCheckpoint::go_on(const std::function<void(const Frame&)>& show) {
   Frame frame;
   for (std::int64_t i = 0; i < frames_.count; ++i) {
     if (!unpack(reader.next(), frame)) {
-      throw FileError(frames_file_.string() + " has changed since it was checked");
+      throw disk::FileError(frames_file_.string() + " has changed since it was checked");
     }
     show(frame);
   }
@@ -191,7 +191,7 @@ void RunCheckpoint::begin() {
 void RunCheckpoint::add(const Frame& frame) {
   const std::string bytes = packed(frame);
   const std::uint64_t size = bytes.size();
-  append_to_file(frames_file_, {reinterpret_cast<const char*>(&size), sizeof size}, bytes);
+  disk::append_to_file(frames_file_, {reinterpret_cast<const char*>(&size), sizeof size}, bytes);
   ++frames_.count;
   frames_.bytes += sizeof size + bytes.size();
   frames_.chain = next_in_chain(frames_.chain, bytes);
@@ -201,8 +201,8 @@ void RunCheckpoint::keep(const std::string& state, std::int64_t frames) {
   if (frames != frames_.count) {
     throw std::logic_error(fmt::format("{} frames were shown and {} kept", frames, frames_.count));
   }
-  if (frames_.count > 0) sync_to_disk(frames_file_);
-  write_durably(state_file_, head(state, frames_), state);
+  if (frames_.count > 0) disk::sync_to_disk(frames_file_);
+  disk::write_durably(state_file_, head(state, frames_), state);
 }
 
 void remove_checkpoint(const fs::path& folder) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "db/result_file.hpp"
+#include "db/utc_now.hpp"
 #include "db/view_file.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/result_document.hpp"
@@ -18,15 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-std::string utc_now() {
-  const auto now = std::chrono::system_clock::now();
-  const auto seconds = std::chrono::system_clock::to_time_t(now);
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}Z", utc.tm_year + 1900, utc.tm_mon + 1,
-                     utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec);
-}
 
 /// progress.json, no more than a few times a second: a run makes thousands of steps in one.
 class ProgressFile {
@@ -41,10 +33,10 @@ class ProgressFile {
     const nlohmann::json document = {{"fraction", progress.fraction},
                                      {"time_s", progress.time_s},
                                      {"stage", progress.stage},
-                                     {"updated", utc_now()}};
+                                     {"updated", db::utc_now()}};
     try {
-      write_whole(file_, document.dump() + "\n");
-    } catch (const FileError&) {
+      disk::write_whole(file_, document.dump() + "\n");
+    } catch (const disk::FileError&) {
       // A run does not end because nobody can be told how far it is.
     }
   }
@@ -136,7 +128,7 @@ class RunFiles {
   void keep(const std::string& state, std::int64_t frames) {
     try {
       checkpoint_.keep(state, frames);
-    } catch (const FileError& error) {
+    } catch (const disk::FileError& error) {
       // The run itself is sound, and the checkpoint before this one stands.
       say(std::string("no checkpoint: ") + error.what());
     }
@@ -186,8 +178,8 @@ RunOutcome run_case(std::string_view case_text, const fs::path& folder, const Ru
         fmt::format("the solver gave an impossible result: {} {}", fault.pointer, fault.message));
   }
   result = std::move(*written.value);
-  write_durably(folder / "profile_after.csv", profile_csv(result.profile_after));
-  write_durably(folder / "result.json", text);
+  disk::write_durably(folder / "profile_after.csv", profile_csv(result.profile_after));
+  disk::write_durably(folder / "result.json", text);
   if (!options.keep_checkpoint) remove_checkpoint(folder);
   outcome.code = result.status == RunStatus::unstable ? ExitCode::unstable : ExitCode::result;
   outcome.result = std::move(result);

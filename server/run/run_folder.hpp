@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "server/run/whole_file.hpp"
+#include "disk/whole_file.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/section/section_result.hpp"
 #include "solver/section/validate.hpp"

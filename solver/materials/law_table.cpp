@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "solver/materials/softening.hpp"
+#include "solver/section/model_size.hpp"
 
 namespace leda::solver {
 
@@ -60,10 +61,6 @@ RateRow rate_row(const std::optional<RateLaw>& law) {
   return std::visit([](const auto& one) { return rate_row(one); }, *law);
 }
 
-double p_wave_speed(const Material& m) {
-  const double bulk = m.youngs_modulus_Pa() / (3 * (1 - 2 * m.poisson_ratio));
-  return std::sqrt((bulk + 4.0 / 3.0 * m.shear_modulus_Pa) / (m.unit_weight / gravity));
-}
 }  // namespace
 
 SofteningCurve LawTable::curve(std::size_t row) const {

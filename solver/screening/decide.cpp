@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "solver/screening/shear_at_rest.hpp"
 #include "solver/screening/site_of_section.hpp"
 #include "solver/screening/toe_cut.hpp"
+#include "solver/section/shear_at_rest.hpp"
 
 namespace leda::solver {
 namespace {

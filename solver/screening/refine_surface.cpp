@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
+#include <nlopt.hpp>
+#include <vector>
 
 #include "solver/screening/critical_surface.hpp"
 
@@ -11,92 +11,52 @@ namespace {
 constexpr double none = std::numeric_limits<double>::infinity();
 constexpr int descent_slices = 40;
 constexpr int final_slices = 160;
-constexpr int most_steps = 60;
+constexpr int most_surfaces = 120;
+constexpr double flattest = 0.02;  // bend of an arc
+/// What turns the simplex back: NLopt ends at an infinite value.
+constexpr double inadmissible = 1e9;
 
-/// Nelder and Mead (1965) over ends and bend; the factor is infinite outside, which only turns
-/// the simplex back.
+/// Nelder and Mead (1965), as NLopt has it, over ends and bend.
 class Descent {
  public:
   Descent(const SlopeModel& model, const GroundPath& path, Method method)
-      : model_(model), path_(path), method_(method) {}
+      : model_(model), path_(path), method_(method), search_(nlopt::LN_NELDERMEAD, 3) {
+    search_.set_min_objective(&Descent::factor, this);
+    search_.set_lower_bounds({0, 0, flattest});
+    search_.set_upper_bounds({path.length(), path.length(), 1});
+    search_.set_ftol_rel(1e-4);
+    search_.set_maxeval(most_surfaces);
+  }
 
   FoundSurface from(const FoundSurface& start) {
     floor_ = start.at.floor;
     const double span = start.at.right - start.at.left;
-    corners_ = {vertex(start.at.left, start.at.right, start.at.bend),
-                vertex(start.at.left - 0.1 * span, start.at.right, start.at.bend),
-                vertex(start.at.left, start.at.right + 0.1 * span, start.at.bend),
-                vertex(start.at.left, start.at.right, start.at.bend * 0.85)};
-    for (int i = 0; i < most_steps && !is_small(); ++i) step();
-    std::ranges::sort(corners_, {}, &Vertex::factor);
-    return {coordinates(corners_[0].x), corners_[0].factor};
+    search_.set_initial_step(std::vector{-0.1 * span, 0.1 * span, -0.15 * start.at.bend});
+    std::vector<double> x{start.at.left, start.at.right, std::clamp(start.at.bend, flattest, 1.0)};
+    double least = none;
+    search_.optimize(x, least);
+    return {coordinates(x), least < inadmissible ? least : none};
   }
 
  private:
-  struct Vertex {
-    std::array<double, 3> x;
-    double factor;
-  };
-
-  SurfaceCoordinates coordinates(const std::array<double, 3>& x) const {
-    return {std::clamp(x[0], 0.0, path_.length()), std::clamp(x[1], 0.0, path_.length()),
-            std::clamp(x[2], 0.02, 1.0), floor_};
+  SurfaceCoordinates coordinates(const std::vector<double>& x) const {
+    return {x[0], x[1], x[2], floor_};
   }
 
-  Vertex vertex(const std::array<double, 3>& x) const {
-    const SurfaceCoordinates at = coordinates(x);
-    if (at.right <= at.left) return {x, none};
-    return {x, factor_of(model_, surface_of(path_, at), method_, descent_slices)};
-  }
-
-  Vertex vertex(double left, double right, double bend) const {
-    return vertex(std::array{left, right, bend});
-  }
-
-  /// The point beyond (or short of) the middle of the three best, seen from the worst.
-  Vertex across(double share) const {
-    std::array<double, 3> x{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double middle = (corners_[0].x[k] + corners_[1].x[k] + corners_[2].x[k]) / 3;
-      x[k] = middle + share * (middle - corners_[3].x[k]);
-    }
-    return vertex(x);
-  }
-
-  void step() {
-    std::ranges::sort(corners_, {}, &Vertex::factor);
-    const Vertex reflected = across(1);
-    if (reflected.factor < corners_[0].factor) {
-      const Vertex further = across(2);
-      corners_[3] = further.factor < reflected.factor ? further : reflected;
-      return;
-    }
-    if (reflected.factor < corners_[2].factor) {
-      corners_[3] = reflected;
-      return;
-    }
-    const Vertex nearer = across(reflected.factor < corners_[3].factor ? 0.5 : -0.5);
-    if (nearer.factor < std::min(reflected.factor, corners_[3].factor)) {
-      corners_[3] = nearer;
-      return;
-    }
-    for (std::size_t i = 1; i < 4; ++i) {
-      std::array<double, 3> x{};
-      for (std::size_t k = 0; k < 3; ++k) x[k] = 0.5 * (corners_[0].x[k] + corners_[i].x[k]);
-      corners_[i] = vertex(x);
-    }
-  }
-
-  bool is_small() const {
-    const auto [least, most] = std::ranges::minmax(corners_, {}, &Vertex::factor);
-    return most.factor - least.factor < 1e-4 * least.factor;
+  static double factor(const std::vector<double>& x, std::vector<double>& /*gradient*/,
+                       void* descent) {
+    const auto& self = *static_cast<const Descent*>(descent);
+    const SurfaceCoordinates at = self.coordinates(x);
+    if (at.right <= at.left) return inadmissible;
+    return std::min(inadmissible, factor_of(self.model_, surface_of(self.path_, at), self.method_,
+                                            descent_slices));
   }
 
   const SlopeModel& model_;
   const GroundPath& path_;
   Method method_;
+  nlopt::opt search_;
   std::size_t floor_ = 0;
-  std::array<Vertex, 4> corners_{};
 };
 
 /// A method may have no solution on a surface that another found: flatter arcs are easier.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "solver/section/model_size.hpp"
 #include "solver/section/validate_section.hpp"
 #include "solver/section/validate_seen.hpp"
 
@@ -16,16 +17,6 @@ constexpr double least_cells_along = 5;
 constexpr double least_cells_high = 2;
 /// A bank of fewer cells has no slip surface to go by.
 constexpr double least_cells_of_bank = 2;
-
-double ground_area(const Section& section) {
-  double area = 0;
-  for (std::size_t i = 1; i < section.ground.size(); ++i) {
-    const Point& a = section.ground[i - 1];
-    const Point& b = section.ground[i];
-    area += (b.x - a.x) * (0.5 * (a.z + b.z) - section.base_m);
-  }
-  return area;
-}
 
 bool check_cell_against_ground(const Section& section, const Resolution& resolution,
                                FaultList& faults) {
@@ -40,7 +31,7 @@ bool check_cell_against_ground(const Section& section, const Resolution& resolut
     faults.add("/resolution/cell_m", "is " + show(h) + " m, must be at most half of the ground's " +
                                          "height above the base (" + show(height) + " m)");
   }
-  const double particles = ground_area(section) / (h * h) * resolution.particles_per_cell;
+  const double particles = particles_of(section, resolution);
   if (!(particles <= double(most_particles))) {
     faults.add("/resolution/cell_m",
                "is " + show(h) + " m, which makes about " + show(std::round(particles)) +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace leda {
 namespace {
@@ -11,8 +12,18 @@ constexpr double on_ground = 0.05;
 
 std::string index(std::size_t i) { return std::string("/").append(std::to_string(i)); }
 
+bool runs_from_right_to_left(const Polyline& line) {
+  return line.size() > 1 && line.back().x < line.front().x &&
+         std::ranges::is_sorted(line, std::ranges::greater{}, &Point::x);
+}
+
 bool check_line(const Polyline& line, const std::string& at, FaultList& faults) {
   bool sound = true;
+  if (runs_from_right_to_left(line)) {
+    faults.add(at, "runs from right to left, from " + show(line.front().x) + " m to " +
+                       show(line.back().x) + " m: give its points the other way round");
+    return false;
+  }
   if (line.size() < 2) {
     faults.add(at, "has " + std::to_string(line.size()) + " points, must have at least 2");
     sound = false;

@@ -6,6 +6,7 @@
 #include "solver/section/crest_and_toe.hpp"
 #include "solver/section/fault_list.hpp"
 #include "solver/section/seen_by_particles.hpp"
+#include "solver/section/shear_at_rest.hpp"
 #include "solver/section/toe_cut.hpp"
 
 namespace leda {
@@ -16,6 +17,8 @@ constexpr double most_rounding = 0.2;
 /// A bank of few cells holds too long: a vertical cut fails at a stability number of 4.43 with 10
 /// cells over its height, 4.17 with 20, 4.02 with 40; exact is 3.78 (tests/verification/README.md).
 constexpr double few_cells_high = 8;
+/// Of the ground, at the start. What lies deep and yields there alone moves no bank.
+constexpr double most_beyond_strength = 0.5;
 
 std::string rounded(double value) { return show(std::round(value * 100) / 100); }
 
@@ -82,12 +85,26 @@ void warn_of_coarse_cells(const Section& section, double cell_m,
                      " m has them");
 }
 
-void warn_of_water(const Section& section, std::vector<std::string>& warnings) {
-  if (!section.water_table || !section.water_table->depth_m) return;
+/// The water table lies below the base everywhere.
+bool is_dry(const Section& section) {
+  if (!section.water_table) return true;
+  if (!section.water_table->depth_m) return false;
   const double highest = std::ranges::max(section.ground, {}, &Point::z).z;
-  if (highest - *section.water_table->depth_m > section.base_m) return;
-  warnings.push_back("the water table, " + show(*section.water_table->depth_m) +
-                     " m below ground, lies below the base everywhere: the section is dry");
+  return highest - *section.water_table->depth_m <= section.base_m;
+}
+
+void warn_of_water(const Section& section, std::vector<std::string>& warnings) {
+  if (!is_dry(section)) return;
+  if (section.water_table) {
+    warnings.push_back("the water table, " + show(*section.water_table->depth_m) +
+                       " m below ground, lies below the base everywhere: the section is dry");
+  }
+  const double share = share_beyond_strength_at_rest(section);
+  if (share < most_beyond_strength) return;
+  warnings.push_back(
+      "without water k0 acts on the total stress, and " + show(std::round(100 * share)) +
+      " % of the ground begins beyond its strength, whatever the bank: say where the water stands "
+      "(water_table), or give a k0 nearer to 1");
 }
 
 }  // namespace

@@ -17,8 +17,9 @@ struct Breach {
 
 std::ostream& operator<<(std::ostream& out, const Breach& breach);
 
-/// Arrows go one way: solver knows nothing of Leda, profiles and db stand on porches only, server
-/// and tests may include all. Includes are written from the root of the repository.
+/// Arrows go one way: solver and disk know nothing of Leda, profiles and db stand on porches and
+/// disk only, server and tests may include all. Includes are written from the root of the
+/// repository.
 std::vector<Breach> wrong_directions(const SourceTree& tree);
 
 /// The rooms inside solver/ and server/ have arrows of their own, and no folder there is another.
@@ -33,6 +34,10 @@ std::vector<Breach> porches_with_walls(const SourceTree& tree);
 /// GDAL, SQLite, HDF5 and HTTP stay in their rooms: no file of another room sees their headers,
 /// not even through a header of ours.
 std::vector<Breach> open_fences(const SourceTree& tree);
+
+/// What knows the inner parts of cpp-httplib stands in one file: with another release of it the
+/// build breaks there and nowhere else.
+std::vector<Breach> inner_parts_of_httplib(const SourceTree& tree);
 
 /// No file or folder is a drawer for whatever has no place.
 std::vector<Breach> drawers(const SourceTree& tree);

@@ -45,7 +45,8 @@ TEST(HouseRules, AMadeUpTreeThatKeepsThemHasNoBreach) {
   tree["profiles/gdal_handle.hpp"] = "#include <gdal_priv.h>\n";
   tree["profiles/dem.cpp"] = include("profiles/dem.hpp") + include("profiles/gdal_handle.hpp");
   tree["db/store.hpp"] = include("profiles/map/line.hpp") + include("solver/section/point.hpp");
-  tree["db/store.cpp"] = include("db/store.hpp") + "#include <SQLiteCpp/SQLiteCpp.h>\n";
+  tree["db/store.cpp"] =
+      include("db/store.hpp") + include("disk/new_file.hpp") + "#include <SQLiteCpp/SQLiteCpp.h>\n";
   tree["server/main.cpp"] = include("db/store.hpp") + include("profiles/dem.hpp") +
                             include("solver/kernel/step.hpp") + "#include <httplib.h>\n";
   tree["tests/db/store_test.cpp"] = include("db/store.hpp") + "#include <sqlite3.h>\n";
@@ -77,6 +78,9 @@ INSTANTIATE_TEST_SUITE_P(Rooms, WrongDirection,
                                            Wrong{"profiles/dem.cpp",
                                                  "solver/materials/softening.hpp"},
                                            Wrong{"profiles/dem.cpp", "db/store.hpp"},
+                                           Wrong{"disk/sha256.cpp", "db/store.hpp"},
+                                           Wrong{"disk/a.hpp", "solver/section/point.hpp"},
+                                           Wrong{"solver/run/a.cpp", "disk/sha256.hpp"},
                                            Wrong{"db/store.cpp", "solver/run/simulate.hpp"},
                                            Wrong{"db/store.cpp", "profiles/dem.hpp"},
                                            Wrong{"db/store.cpp", "server/problem.hpp"},
@@ -177,6 +181,19 @@ TEST(HouseRules, ALibrarySeenThroughAHeaderOfOursIsNoticed) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].file, "server/main.cpp");
   EXPECT_NE(found[0].what.find("db/store.hpp > db/database.hpp > SQLiteCpp"), std::string::npos);
+}
+
+TEST(HouseRules, InnerPartsOfHttplibOutsideTheirFileAreNoticed) {
+  for (const std::string text :
+       {"class A final : public httplib::Stream {", "class A : public httplib::Server {",
+        "if (response.content_length_ > 0) return;", "http.new_task_queue = [] {};",
+        "process_request(stream, true, closed, setup);", "httplib::detail::parse();"}) {
+    const auto found = inner_parts_of_httplib(with("server/http/send_answer.cpp", "\n" + text));
+    ASSERT_EQ(found.size(), 1U) << text;
+    EXPECT_EQ(found[0].line, 2);
+    EXPECT_TRUE(inner_parts_of_httplib(with("server/http/guarded_http.cpp", text)).empty());
+  }
+  EXPECT_TRUE(inner_parts_of_httplib(with("server/http/a.cpp", "httplib::Server& http;")).empty());
 }
 
 TEST(HouseRules, ADrawerIsNoticed) {

@@ -10,10 +10,11 @@ namespace {
 const std::vector<std::string>& may_include(const std::string& room) {
   static const std::map<std::string, std::vector<std::string>> doors = {
       {"solver", {"solver/"}},
-      {"profiles", {"profiles/", "solver/section/"}},
-      {"db", {"db/", "solver/section/", "profiles/map/"}},
-      {"server", {"server/", "db/", "profiles/", "solver/"}},
-      {"tests", {"tests/", "server/", "db/", "profiles/", "solver/", "deploy/"}},
+      {"disk", {"disk/"}},
+      {"profiles", {"profiles/", "disk/", "solver/section/"}},
+      {"db", {"db/", "disk/", "solver/section/", "profiles/map/"}},
+      {"server", {"server/", "db/", "disk/", "profiles/", "solver/"}},
+      {"tests", {"tests/", "server/", "db/", "disk/", "profiles/", "solver/", "deploy/"}},
       {"deploy", {}}};
   return doors.at(room);
 }

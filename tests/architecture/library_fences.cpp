@@ -1,6 +1,7 @@
 #include <array>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "tests/architecture/house_rules.hpp"
 
@@ -55,6 +56,27 @@ std::vector<Breach> open_fences(const SourceTree& tree) {
       const std::string way = way_to(tree, file, fence.headers, seen);
       if (!way.empty())
         found.push_back({file, 0, fence.library + " belongs to " + fence.room + "/: " + way});
+    }
+  }
+  return found;
+}
+
+std::vector<Breach> inner_parts_of_httplib(const SourceTree& tree) {
+  static const std::string the_one = "server/http/guarded_http.cpp";
+  // Members that end in an underscore are the library's own; so are these.
+  static const std::regex inner(
+      R"(httplib::(detail|Stream|TaskQueue|ThreadPool)\b|: public httplib::Server)"
+      R"(|process_and_close_socket|process_request\b|content_(length|provider)_)"
+      R"(|new_task_queue|request\.ranges)");
+  std::vector<Breach> found;
+  for (const auto& [file, text] : tree) {
+    if (!file.starts_with("server/") || !is_cpp(file) || file == the_one) continue;
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+      if (std::regex_search(line, inner)) {
+        found.push_back({file, number, "inner parts of cpp-httplib belong to " + the_one});
+      }
     }
   }
   return found;

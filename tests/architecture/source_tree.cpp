@@ -47,8 +47,8 @@ std::vector<Include> includes_of(const std::string& text) {
 }
 
 std::string room_of(const std::string& path) {
-  static const std::array<std::string, 6> rooms = {"solver", "profiles", "db",
-                                                   "server", "tests",    "deploy"};
+  static const std::array<std::string, 7> rooms = {"solver", "disk",  "profiles", "db",
+                                                   "server", "tests", "deploy"};
   const std::string first = path.substr(0, path.find('/'));
   const bool is_room =
       first.size() < path.size() && std::find(rooms.begin(), rooms.end(), first) != rooms.end();

@@ -23,7 +23,7 @@ bool is_cpp(const std::string& path);
 bool is_text(const std::string& bytes);
 std::vector<Include> includes_of(const std::string& text);
 
-/// "solver", "profiles", "db", "server", "tests", "deploy"; empty outside the rooms.
+/// "solver", "disk", "profiles", "db", "server", "tests", "deploy"; empty outside the rooms.
 std::string room_of(const std::string& path);
 
 }  // namespace leda::architecture

@@ -59,8 +59,28 @@ TEST_F(FeaturePage, OnlyJobsThatSucceededAreShownUnlessOneIsNamed) {
 
 TEST_F(FeaturePage, PagesFollowEachOther) {
   EXPECT_EQ(names(store.section_page({.limit = 2})), (Names{"job-1 S1", "job-1 S2"}));
-  EXPECT_EQ(names(store.section_page({.limit = 2, .offset = 2})), (Names{"job-1 S3"}));
-  EXPECT_TRUE(store.section_page({.limit = 2, .offset = 4}).empty());
+  const auto second = store.section("job-1", "S2")->id, third = store.section("job-1", "S3")->id;
+  for (const char* job : {"", "job-1"}) {
+    EXPECT_EQ(names(store.section_page({.job = job, .limit = 2, .after = second})),
+              (Names{"job-1 S3"}));
+    EXPECT_TRUE(store.section_page({.job = job, .limit = 2, .after = third}).empty());
+  }
+  EXPECT_EQ(names(store.section_page({.box = MapBox{0, 0, 9, 90}, .after = second})),
+            (Names{"job-1 S3"}));
+  EXPECT_EQ(store.count_sections(PageFilter{.after = second}), 3) << "of all pages together";
+}
+
+TEST_F(FeaturePage, TheTreeForgetsWhatIsRemovedAndMovesWhatMoved) {
+  const auto in = [&](double west, double east) {
+    return names(store.section_page({.box = MapBox{west, 40, east, 50}}));
+  };
+  const auto id = store.section("job-1", "S1")->id;
+  store.set_section_boxes({{id, {20, 45, 21, 46}}});
+  EXPECT_EQ(in(20, 22), Names{"job-1 S1"});
+  EXPECT_EQ(in(0.5, 1.2), Names{}) << "where it lay before";
+  ASSERT_TRUE(store.remove_job("job-1"));
+  EXPECT_EQ(in(20, 22), Names{});
+  EXPECT_TRUE(store.section_page({}).empty());
 }
 
 TEST_F(FeaturePage, ABoxSelectsWhatItTouches) {

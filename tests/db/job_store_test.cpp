@@ -96,7 +96,8 @@ TEST_F(JobStore, FiltersAndPages) {
   EXPECT_EQ(ids({.created_to = "2026-01-02T12:00:00Z"}), (Ids{"job-0"}))
       << "half a second after noon is after noon";
   EXPECT_EQ(ids({.created_from = "2026-01-02", .created_to = "2026-01-03"}), (Ids{"job-1"}));
-  EXPECT_EQ(ids({.limit = 1, .offset = 1}), (Ids{"job-1"}));
+  EXPECT_EQ(ids({.limit = 1, .before = store.job("job-2")->sequence}), (Ids{"job-1"}));
+  EXPECT_EQ(ids({.before = store.job("job-0")->sequence}), Ids{});
   EXPECT_EQ(ids({.limit = 0}), Ids{});
   EXPECT_EQ(ids({.limit = -1}), Ids{}) << "SQLite takes a negative limit for none";
   EXPECT_EQ(store.count_jobs({.processes = {"map-region"}, .limit = 1}), 2);

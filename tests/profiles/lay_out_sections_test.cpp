@@ -119,6 +119,18 @@ TEST_F(LayOut, EveryFaultIsNamedAtOnce) {
   EXPECT_TRUE(names(all, "/along/0/downslope_m", "positive"));
 }
 
+TEST_F(LayOut, APointOutsideIsToldWhatItWasProbablyMeantToBe) {
+  const Dem wide = Dem::open(
+      write_geotiff(computed(500, 100, {0, 2, 0, 1000, 0, -2}, valley), folder_ / "wide.tif"));
+  const auto all =
+      lay_out_sections(
+          {{{"swapped", {{900, 100}, {950, 150}}}, {"degrees", {{-73, 46}, {-73, 47}}}}, {}}, wide)
+          .faults;
+  EXPECT_TRUE(names(all, "/lines/0/line/0", "the other way round it lies inside"));
+  EXPECT_TRUE(names(all, "/lines/1/line/0", "if these are degrees"));
+  EXPECT_FALSE(names(all, "/lines/1/line/0", "the other way round"));
+}
+
 TEST_F(LayOut, TooManySectionsAndNoneAtAll) {
   EXPECT_TRUE(names(faults({{}, {{river, 1, 100, 100}}}, {.most_sections = 100}), "",
                     "asks for 800 sections, at most 100"));

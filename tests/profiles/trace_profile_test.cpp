@@ -134,6 +134,19 @@ TEST_F(Trace, ABankThatReachesTheEndIsFlagged) {
   EXPECT_NE(std::get<Profile>(cut).warnings[0].find("reaches the end"), std::string::npos);
 }
 
+TEST_F(Trace, CellsTooCoarseForTheBankAreTold) {
+  // A face of 3 m over 1.5 m: on cells of 1 m it may as well be vertical.
+  const auto low = [](MapPoint p) { return std::clamp((p.y - 260) * 2, 0.0, 3.0); };
+  const auto cut = trace_profile(section_at(100), open(low));
+  const auto& warnings = std::get<Profile>(cut).warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("the DEM's cells of 1 m are coarse for a bank"), std::string::npos)
+      << warnings[0];
+  // The same face of 20 m: a cell more or less hardly matters.
+  const auto high = [](MapPoint p) { return std::clamp((p.y - 260) * 14, 0.0, 20.0); };
+  EXPECT_TRUE(std::get<Profile>(trace_profile(section_at(100), open(high))).warnings.empty());
+}
+
 TEST_F(Trace, AMapInFeetGivesAProfileInMetres) {
   const auto cut = trace_profile(section_at(100), open(bank, 2263));
   ASSERT_TRUE(std::holds_alternative<Profile>(cut));

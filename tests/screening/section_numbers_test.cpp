@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "solver/screening/ground_path.hpp"
-#include "solver/screening/shear_at_rest.hpp"
 #include "solver/screening/site_of_section.hpp"
+#include "solver/section/shear_at_rest.hpp"
 #include "tests/screening/banks.hpp"
 
 namespace leda::solver {

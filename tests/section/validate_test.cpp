@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -61,6 +62,9 @@ const Case cases[] = {
     {"sound", [](Section&, RunSettings&) {}, {}},
     {"ground_empty", [](Section& s, RunSettings&) { s.ground.clear(); }, {"/ground"}},
     {"ground_one_point", [](Section& s, RunSettings&) { s.ground.resize(1); }, {"/ground"}},
+    {"ground_from_right_to_left",
+     [](Section& s, RunSettings&) { std::ranges::reverse(s.ground); },
+     {"/ground"}},
     {"ground_goes_back_and_nan",
      [](Section& s, RunSettings&) {
        s.ground[1].x = -1;

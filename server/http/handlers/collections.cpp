@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "server/http/handlers/datetime.hpp"
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/parameters.hpp"
 #include "server/http/site.hpp"
@@ -41,9 +43,15 @@ std::optional<MapBox> wanted_box(const Call& call) {
     numbers.push_back(number);
   }
   if (sound && parts.size() == 6) numbers = {numbers[0], numbers[1], numbers[3], numbers[4]};
-  if (!sound || numbers[1] > numbers[3]) {
-    throw Problem(Failure::invalid_parameter, "bbox is '" + *call.parameter("bbox") +
-                                                  "': give west,south,east,north in degrees");
+  // A map that shows more than the world has more degrees than there are; metres are a thousand.
+  constexpr double no_degrees = 1000;
+  const bool in_metres =
+      std::ranges::any_of(numbers, [](double number) { return std::abs(number) > no_degrees; });
+  if (!sound || in_metres || numbers[1] > numbers[3]) {
+    throw Problem(Failure::invalid_parameter,
+                  "bbox is '" + *call.parameter("bbox") +
+                      "': give west,south,east,north in degrees" +
+                      (in_metres ? " of longitude and latitude, not coordinates of the DEM" : ""));
   }
   return MapBox{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
@@ -51,7 +59,7 @@ std::optional<MapBox> wanted_box(const Call& call) {
 db::PageFilter filter_of(const Site& site, const Call& call) {
   db::PageFilter filter;
   filter.limit = whole_number(call, "limit", 100, 1, 10'000);
-  filter.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
+  filter.after = page_start(call);
   filter.box = wanted_box(call);
   interval(call);  // features have no time of their own, so that each is of any time
   if (const auto id = call.parameter("job"))
@@ -133,32 +141,36 @@ Answer get_schema(Site& /*site*/, const Call& call) {
 Answer get_items(Site& site, const Call& call) {
   format(call, {"json", "geojson"});
   const Collection collection = collection_or_problem(call.captured[0]);
-  const db::PageFilter filter = filter_of(site, call);
+  db::PageFilter filter = filter_of(site, call);
   const bool any = has_a_map(site, filter);
   const int matched = any ? count_features(site.service.store, collection, filter) : 0;
+  const int limit = filter.limit++;  // one more tells whether there is a next page
   Answer answer;
   answer.type = "application/geo+json";
   // Written piece by piece: a whole page as JSON takes many times as much as its text.
   answer.body = R"({"type":"FeatureCollection","features":[)";
-  int returned = 0;
+  int found = 0;
+  std::int64_t last = filter.after;
   if (any) {
     const db::Turns::Turn turn(site.pages);
     for_each_feature(site.service.store, collection, filter, [&](const json& feature) {
-      answer.body += returned++ == 0 ? "\n" : ",\n";
+      if (++found > limit) return;
+      answer.body += found == 1 ? "\n" : ",\n";
       answer.body += text_of(feature);
+      last = feature["id"];
     });
   }
   const std::string own = site.url + "/collections/" + to_string(collection);
   json rest;
   rest["links"] = json::array(
-      {link(with_offset(call, own + "/items", filter.offset), "self", "application/geo+json")});
-  if (returned > 0 && filter.offset + returned < matched) {
-    rest["links"].push_back(link(with_offset(call, own + "/items", filter.offset + returned),
-                                 "next", "application/geo+json"));
+      {link(page_after(call, own + "/items", filter.after), "self", "application/geo+json")});
+  if (found > limit) {
+    rest["links"].push_back(
+        link(page_after(call, own + "/items", last), "next", "application/geo+json"));
   }
   rest["links"].push_back(link(own, "collection", "application/json"));
   rest["numberMatched"] = matched;
-  rest["numberReturned"] = returned;
+  rest["numberReturned"] = std::min(found, limit);
   rest["timeStamp"] = db::utc_now();
   answer.body += "],\n" + text_of(rest).substr(1) + "\n";
   return answer;

@@ -13,10 +13,6 @@ namespace {
 constexpr std::chrono::milliseconds between_looks{250};
 constexpr std::chrono::seconds between_signs_of_life{15};
 
-bool is_finished(db::JobState state) {
-  return state != db::JobState::accepted && state != db::JobState::running;
-}
-
 /// Follows a job. The id of an event is the time the job was updated and its status (two updates
 /// may fall into one millisecond), so a client that comes back with Last-Event-ID hears only what
 /// is new.
@@ -31,7 +27,7 @@ struct Follower {
     if (done) return std::nullopt;
     const auto record = site.service.store.job(job);
     if (!record) return std::nullopt;
-    done = is_finished(record->state);
+    done = db::is_final(record->state);
     const auto now = std::chrono::steady_clock::now();
     const std::string id = record->updated + "/" + db::to_string(record->state);
     if (id != last_id) {

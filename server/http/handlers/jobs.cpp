@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "server/http/handlers/datetime.hpp"
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/job_document.hpp"
 #include "server/http/handlers/parameters.hpp"
@@ -30,7 +31,7 @@ db::JobFilter filter_of(const Call& call) {
   filter.least_s = seconds(call, "minDuration");
   filter.most_s = seconds(call, "maxDuration");
   filter.limit = whole_number(call, "limit", 100, 1, 1000);
-  filter.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
+  filter.before = page_start(call);
   return filter;
 }
 
@@ -42,19 +43,23 @@ Answer get_jobs(Site& site, const Call& call) {
   const auto types = list(call, "type");
   const bool none =
       !types.empty() && std::find(types.begin(), types.end(), "process") == types.end();
-  json jobs = json::array();
-  json links =
-      json::array({{{"href", site.url + "/jobs"}, {"rel", "self"}, {"type", "application/json"}}});
-  const int total = none ? 0 : site.service.store.count_jobs(filter);
+  std::vector<db::JobRecord> page;
   if (!none) {
-    for (const auto& job : site.service.store.jobs(filter))
-      jobs.push_back(status_info(job, site.url));
+    db::JobFilter one_more = filter;
+    ++one_more.limit;  // tells whether there is a next page
+    page = site.service.store.jobs(one_more);
   }
-  if (filter.offset + filter.limit < total) {
-    links.push_back({{"href", with_offset(call, site.url + "/jobs", filter.offset + filter.limit)},
+  const std::string own = site.url + "/jobs";
+  json links = json::array({{{"href", own}, {"rel", "self"}, {"type", "application/json"}}});
+  if (page.size() > static_cast<std::size_t>(filter.limit)) {
+    page.pop_back();
+    links.push_back({{"href", page_after(call, own, page.back().sequence)},
                      {"rel", "next"},
                      {"type", "application/json"}});
   }
+  json jobs = json::array();
+  for (const auto& job : page) jobs.push_back(status_info(job, site.url));
+  const int total = none ? 0 : site.service.store.count_jobs(filter);
   return json_answer({{"jobs", jobs}, {"links", links}, {"numberMatched", total}});
 }
 

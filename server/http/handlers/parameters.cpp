@@ -1,5 +1,7 @@
 #include "server/http/handlers/parameters.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <string_view>
@@ -99,58 +101,31 @@ Answer not_modified(const std::string& tag) {
   return answer;
 }
 
-Interval interval(const Call& call) {
-  const auto given = call.parameter("datetime");
-  if (!given) return {};
-  const auto slash = given->find('/');
-  const auto end_of = [&](const std::string& text, const char* time_of_a_day) {
-    if (slash != std::string::npos && (text.empty() || text == "..")) return std::string();
-    if (!is_datetime(text)) {
-      throw Problem(
-          Failure::invalid_parameter,
-          "datetime is '" + *given +
-              "': give 2026-01-31, 2026-01-31T12:00:00Z or FROM/TO, with .. for an open end");
-    }
-    const bool is_day = text.find('T') == std::string::npos;
-    return is_day ? text + time_of_a_day : text;
-  };
-  const std::string from = given->substr(0, slash);
-  const std::string to = slash == std::string::npos ? from : given->substr(slash + 1);
-  return {end_of(from, "T00:00:00Z"), end_of(to, "T23:59:59.999Z")};
-}
-
-bool is_datetime(const std::string& text) {
-  const auto number = [&](std::size_t at, std::size_t digits) {
-    int value = -1;
-    if (at + digits > text.size()) return -1;
-    const char* first = text.data() + at;
-    const auto [end, error] = std::from_chars(first, first + digits, value);
-    return error == std::errc{} && end == first + digits ? value : -1;
-  };
-  const auto within = [](int value, int least, int most) {
-    return value >= least && value <= most;
-  };
-  const bool date = text.size() >= 10 && text[4] == '-' && text[7] == '-' && number(0, 4) >= 0 &&
-                    within(number(5, 2), 1, 12) && within(number(8, 2), 1, 31);
-  if (!date || text.size() == 10) return date;
-  const bool time = text.size() >= 20 && text.size() <= 35 && text[10] == 'T' && text[13] == ':' &&
-                    text[16] == ':' && within(number(11, 2), 0, 23) &&
-                    within(number(14, 2), 0, 59) && within(number(17, 2), 0, 60);
-  if (!time) return false;
-  const auto zone = text.find_first_not_of("0123456789.", 19);
-  if (zone == std::string::npos) return false;
-  if (text[zone] == 'Z') return zone + 1 == text.size();
-  const bool offset = text[zone] == '+' || text[zone] == '-';
-  return offset && zone + 6 == text.size() && text[zone + 3] == ':' &&
-         within(number(zone + 1, 2), 0, 23) && within(number(zone + 4, 2), 0, 59);
-}
-
-std::string with_offset(const Call& call, const std::string& path, int offset) {
-  std::string url = path + "?offset=" + std::to_string(offset);
-  for (const auto& [name, value] : call.query) {
-    if (name != "offset") url += "&" + percent_encode(name) + "=" + percent_encode(value);
+// A letter and a number in hexadecimal, so that nobody takes it for a count of items.
+std::int64_t page_start(const Call& call) {
+  const auto text = call.parameter("cursor");
+  if (!text) return 0;
+  std::int64_t last = 0;
+  const char* end_of_text = text->data() + text->size();
+  const bool marked = text->starts_with('c') && text->size() > 1;
+  const auto [end, error] = std::from_chars(text->data() + (marked ? 1 : 0), end_of_text, last, 16);
+  if (!marked || error != std::errc{} || end != end_of_text || last < 0) {
+    throw Problem(Failure::invalid_parameter,
+                  "cursor is '" + *text + "': take it from a next link, or leave it out");
   }
-  return url;
+  return last;
+}
+
+std::string page_after(const Call& call, const std::string& path, std::int64_t last) {
+  std::string query;
+  const auto add = [&](const std::string& name, const std::string& value) {
+    query += (query.empty() ? "?" : "&") + name + "=" + value;
+  };
+  if (last > 0) add("cursor", fmt::format("c{:x}", last));
+  for (const auto& [name, value] : call.query) {
+    if (name != "cursor") add(percent_encode(name), percent_encode(value));
+  }
+  return path + query;
 }
 
 }  // namespace leda::server

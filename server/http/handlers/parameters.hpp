@@ -1,6 +1,7 @@
 #pragma once
 // Query parameters that several handlers share.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,17 +30,12 @@ bool has_already(const Call& call, const std::string& tag);
 /// The answer to has_already(): 304 with the tag.
 Answer not_modified(const std::string& tag);
 
-/// Times from and to, both included; empty: open. A day is the whole of it.
-struct Interval {
-  std::string from, to;
-};
-/// datetime=: a time, or FROM/TO with ".." or nothing for an open end. @throws Problem
-Interval interval(const Call& call);
+/// Where a page begins: after the item that cursor= of a `next` link stands for; 0: at the start.
+/// @throws Problem invalid_parameter
+std::int64_t page_start(const Call& call);
 
-/// A time as RFC 3339 writes it, or its date alone.
-bool is_datetime(const std::string& text);
-
-/// The same call with another offset, for a `next` link.
-std::string with_offset(const Call& call, const std::string& path, int offset);
+/// The same call for the page after an item, for a `next` link.
+/// @param last of this page; 0: the first page
+std::string page_after(const Call& call, const std::string& path, std::int64_t last);
 
 }  // namespace leda::server

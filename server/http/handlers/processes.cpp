@@ -56,8 +56,7 @@ Answer get_processes(Site& site, const Call& call) {
   format(call, {"json"});
   const auto all = std::span(processes());
   const auto limit = static_cast<std::size_t>(whole_number(call, "limit", 100, 1, 1000));
-  const auto first = std::min(
-      static_cast<std::size_t>(whole_number(call, "offset", 0, 0, 1'000'000'000)), all.size());
+  const auto first = std::min(static_cast<std::size_t>(page_start(call)), all.size());
   const std::string own = site.url + "/processes";
   json list = json::array();
   for (const Process& process : all.subspan(first, std::min(limit, all.size() - first))) {
@@ -65,9 +64,9 @@ Answer get_processes(Site& site, const Call& call) {
   }
   json links = json::array({{{"href", own}, {"rel", "self"}, {"type", "application/json"}}});
   if (first + list.size() < all.size()) {
-    const int next = static_cast<int>(first + list.size());
+    const auto last = static_cast<std::int64_t>(first + list.size());
     links.push_back(
-        {{"href", with_offset(call, own, next)}, {"rel", "next"}, {"type", "application/json"}});
+        {{"href", page_after(call, own, last)}, {"rel", "next"}, {"type", "application/json"}});
   }
   return json_answer({{"processes", list}, {"links", links}});
 }

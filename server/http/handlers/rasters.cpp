@@ -168,6 +168,7 @@ Answer get_hillshade(Site& site, const Call& call) {
   answer.type = "image/png";
   answer.file = hillshade_file(site.service.data, raster.id);
   answer.headers.emplace_back("Cache-Control", "max-age=86400");
+  const db::Turns::Turn turn(site.hillshades);  // the second of two first viewers finds it there
   if (!std::filesystem::exists(answer.file)) {
     profiles::DemOptions options;
     options.missing_m = raster.undeclared_fill_m;

@@ -55,12 +55,11 @@ db::PageFilter all_of(const db::JobRecord& job) {
   return filter;
 }
 
-json rows_of(Site& site, const db::JobRecord& job, const db::PageFilter& page) {
-  const db::Turns::Turn turn(site.pages);
+json rows_of(Site& site, const db::JobRecord& job, const std::vector<db::SectionRecord>& sections) {
   json rows = json::array();
   const std::string own = site.url + "/jobs/" + job.id + "/sections/";
   const auto raster = site.service.store.raster(job.raster);
-  for (const auto& section : site.service.store.section_page(page)) {
+  for (const auto& section : sections) {
     json row = section_row(section);
     row["dem_sha256"] = raster ? json(raster->sha256) : json();
     row["links"] = json::array({{{"href", own + percent_encode(section.name)},
@@ -95,7 +94,8 @@ json wanted_of(json outputs, const ExecuteOptions& options) {
 }
 
 json outputs_of(Site& site, const db::JobRecord& job) {
-  json outputs = {{"sections", rows_of(site, job, all_of(job))}};
+  const db::Turns::Turn turn(site.pages);
+  json outputs = {{"sections", rows_of(site, job, site.service.store.section_page(all_of(job)))}};
   if (epsg_of(site.service.store, job) != 0) {
     for (const Collection zones : {Collection::release_zones, Collection::runout_zones}) {
       json features = json::array();
@@ -137,17 +137,21 @@ Answer get_sections(Site& site, const Call& call) {
   const auto job = job_or_problem(site.service.store, call.captured[0]);
   db::PageFilter page;
   page.job = job.id;
-  page.limit = whole_number(call, "limit", 10'000, 1, 10'000);
-  page.offset = whole_number(call, "offset", 0, 0, 1'000'000'000);
+  const int limit = whole_number(call, "limit", 10'000, 1, 10'000);
+  page.limit = limit + 1;  // tells whether there is a next page
+  page.after = page_start(call);
   const int total = site.service.store.count_sections(page);
-  json rows = rows_of(site, job, page);
-  const int returned = static_cast<int>(rows.size());
+  const db::Turns::Turn turn(site.pages);
+  auto sections = site.service.store.section_page(page);
+  const bool more = sections.size() > static_cast<std::size_t>(limit);
+  if (more) sections.pop_back();
+  json rows = rows_of(site, job, sections);
   const std::string own = site.url + "/jobs/" + job.id + "/sections";
-  json links = json::array({{{"href", with_offset(call, own, page.offset)},
+  json links = json::array({{{"href", page_after(call, own, page.after)},
                              {"rel", "self"},
                              {"type", "application/json"}}});
-  if (returned > 0 && page.offset + returned < total) {
-    links.push_back({{"href", with_offset(call, own, page.offset + returned)},
+  if (more) {
+    links.push_back({{"href", page_after(call, own, sections.back().id)},
                      {"rel", "next"},
                      {"type", "application/json"}});
   }
@@ -156,7 +160,7 @@ Answer get_sections(Site& site, const Call& call) {
                       {"message", job.message},
                       {"sections", std::move(rows)},
                       {"numberMatched", total},
-                      {"numberReturned", returned},
+                      {"numberReturned", sections.size()},
                       {"links", links}});
 }
 

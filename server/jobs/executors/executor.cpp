@@ -3,8 +3,12 @@
 namespace leda::server {
 
 std::vector<std::string> worker_arguments(const RunOrder& order) {
-  return {"simulate", (order.folder / "case.json").string(), "--out", order.folder.string(),
-          "--keep-checkpoint"};
+  return {"simulate",
+          (order.folder / "case.json").string(),
+          "--out",
+          order.folder.string(),
+          "--keep-checkpoint",
+          "--no-progress"};
 }
 
 bool has_begun(const std::filesystem::path& folder) {

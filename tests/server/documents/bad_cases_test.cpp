@@ -358,6 +358,17 @@ TEST(UnknownKey, IsToldWithEachKnownOneOnce) {
             "regularization, band_m");
 }
 
+TEST(UnknownKey, OfARateIsToldWithTheRemoldedPart) {
+  const auto faults = parse_case_file(changed(R"([
+    {"op": "add", "path": "/materials/S1/rate",
+     "value": {"law": "power", "exponent": 0.1, "reference_rate_per_s": 1, "gamma": 1}}])")
+                                          .dump())
+                          .faults;
+  ASSERT_EQ(faults.size(), 1U) << test::text(faults);
+  EXPECT_EQ(faults[0].message,
+            "is not known here; known are: law, exponent, reference_rate_per_s, remolded");
+}
+
 TEST(GoodCases, MatchTheSchema) {
   for (const char* name : {"sainte-monique-AA.json", "every-key.json", "small-bank.json"}) {
     const json document = json::parse(test::read_case(name));

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "server/documents/sha256.hpp"
+#include "disk/sha256.hpp"
 #include "server/documents/softening_names.hpp"
 #include "tests/server/documents/read_data.hpp"
 
@@ -128,7 +128,7 @@ TEST(CanonicalText, IsTheSameForDocumentsThatMeanTheSame) {
 
 TEST(CanonicalText, HashIsOfTheText) {
   const CaseFile c = parsed(test::read_case("small-bank.json"));
-  EXPECT_EQ(case_sha256(c), sha256(canonical_text(c)));
+  EXPECT_EQ(case_sha256(c), disk::sha256_of(canonical_text(c)));
 }
 
 TEST(PerKilo, GivesBackWhatWasRead) {

@@ -34,6 +34,13 @@ TEST(ParseJson, SaysWhereTheSyntaxBreaks) {
   EXPECT_NE(parsed.faults[0].message.find("line 2"), std::string::npos) << parsed.faults[0].message;
 }
 
+TEST(ParseJson, KnowsUtf16WhenItSeesIt) {
+  const std::string little("\xff\xfe{\0}\0", 6);
+  const auto parsed = parse_json(little);
+  ASSERT_EQ(parsed.faults.size(), 1U);
+  EXPECT_NE(parsed.faults[0].message.find("save it as UTF-8"), std::string::npos);
+}
+
 TEST(ParseJson, NamesEveryKeyThatOccursTwice) {
   EXPECT_EQ(faults_of(R"({"a": 1, "b": [{}, {"c/d": 1, "c/d": 2}], "a": 3})"),
             (Pointers{"/a", "/b/1/c~1d"}));

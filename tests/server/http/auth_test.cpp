@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "server/documents/sha256.hpp"
+#include "disk/sha256.hpp"
 #include "tests/server/run_fixture.hpp"
 #include "tests/server/temporary_folder.hpp"
 
@@ -41,7 +41,7 @@ TEST_F(TokensTest, AHolderIsFoundByTheTokenAndByNothingElse) {
   EXPECT_EQ(found.holder_of(anna)->role, Role::submit);
   EXPECT_EQ(found.holder_of(ben)->role, Role::admin);
   for (const std::string& wrong :
-       {std::string(), anna + " ", anna.substr(1), sha256(anna), std::string(300, 'a')}) {
+       {std::string(), anna + " ", anna.substr(1), disk::sha256_of(anna), std::string(300, 'a')}) {
     EXPECT_FALSE(found.holder_of(wrong).has_value()) << wrong;
   }
 }

@@ -28,8 +28,10 @@ TEST_F(HttpServerTest, ParametersAreChecked) {
        {"/jobs?limit=0", "/jobs?limit=ten", "/jobs?status=done", "/jobs?surprise=1",
         "/jobs?datetime=yesterday", "/jobs?datetime=2026-13-01", "/jobs?minDuration=-1",
         "/jobs?maxDuration=x", "/jobs?datetime=2026-01-01T25:00:00Z",
-        "/collections/sections/items?bbox=1,2,3", "/collections/sections/items?bbox=1,2,3,nan",
-        "/collections/sections/items?limit=-1", "/healthz?x=1", "/processes?f=xml"}) {
+        "/collections/sections/items?bbox=1,2,3",
+        "/collections/sections/items?bbox=380000,5113000,380600,5114000",
+        "/collections/sections/items?bbox=1,2,3,nan", "/collections/sections/items?limit=-1",
+        "/healthz?x=1", "/processes?f=xml"}) {
     expect_problem(client.Get(path), 400, path);
   }
 }
@@ -136,6 +138,34 @@ TEST_F(HttpServerTest, AFullQueueSaysWhenToComeAgain) {
                                  "application/json");
   expect_problem(answer, 429, "full queue");
   EXPECT_EQ(answer->get_header_value("Retry-After"), "30");
+}
+
+TEST_F(HttpServerTest, ADryRunIsUnderTheLimitsOfJobs) {
+  ServiceOptions few = options();
+  few.limits.unfinished_jobs = 1;
+  few.limits.layouts = 1;
+  const tests::TemporaryFolder own_folder;
+  Service own{own_folder.path(), few};
+  Site own_site{own};
+  HttpServer own_http{own_site, {"127.0.0.1", 0}};
+  auto request = json::parse(tests::simulate_request());
+  request["dryRun"] = true;
+  const auto ask = [&] {
+    return httplib::Client(own_site.url)
+        .Post("/processes/simulate-section/execution", request.dump(), "application/json");
+  };
+  EXPECT_EQ(ask()->status, 200);
+  {
+    const auto slot = own.layouts.take();
+    expect_problem(ask(), 503, "another layout is going on");
+  }
+  db::JobRecord job;
+  job.id = "open";
+  job.process = "simulate-section";
+  own.store.add_job(job);
+  expect_problem(ask(), 429, "a job would not be taken either");
+  own.store.set_job_state("open", db::JobState::failed, "");
+  EXPECT_EQ(ask()->status, 200);
 }
 
 TEST_F(HttpServerTest, AJobOfTooManyParticlesIsRefused) {

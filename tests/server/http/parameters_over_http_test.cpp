@@ -48,7 +48,7 @@ class Parameterized : public HttpServerTest {
   }
 };
 
-/// "f limit offset" as a list.
+/// "f limit cursor" as a list.
 std::vector<std::string> names_of(std::string_view parameters) {
   std::vector<std::string> names;
   std::istringstream words{std::string(parameters)};

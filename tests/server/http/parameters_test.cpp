@@ -37,8 +37,20 @@ TEST(Parameters, AFormatMustBeKnown) {
 
 TEST(Parameters, TheNextLinkKeepsTheOthers) {
   Call call;
-  call.query = {{"offset", "0"}, {"status", "failed,running"}};
-  EXPECT_EQ(with_offset(call, "/jobs", 10), "/jobs?offset=10&status=failed%2Crunning");
+  call.query = {{"cursor", "c1"}, {"status", "failed,running"}};
+  EXPECT_EQ(page_after(call, "/jobs", 0), "/jobs?status=failed%2Crunning");
+  const std::string next = page_after(call, "/jobs", 1234);
+  const std::string start = "/jobs?cursor=", end = "&status=failed%2Crunning";
+  ASSERT_TRUE(next.starts_with(start) && next.ends_with(end)) << next;
+  const auto cursor = next.substr(start.size(), next.size() - start.size() - end.size());
+  EXPECT_EQ(page_start(call_with("cursor", cursor)), 1234);
+}
+
+TEST(Parameters, ACursorIsOneOfANextLink) {
+  EXPECT_EQ(page_start(Call{}), 0);
+  for (const char* text : {"", "c", "12", "c-1", "cxyz", "c1 ", "cffffffffffffffffff"}) {
+    EXPECT_THROW(page_start(call_with("cursor", text)), Problem) << text;
+  }
 }
 
 }  // namespace

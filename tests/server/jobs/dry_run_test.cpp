@@ -68,7 +68,7 @@ TEST(DryRun, TellsSectionsAndCostAndChangesNothing) {
   const db::Store store(data.store());
   const Process& process = *find_process("simulate-section");
   const auto work = process.open(tests::simulate_request(), {data, store});
-  const json document = dry_run(process, *work, store);
+  const json document = dry_run(process, *work, work->plan(), store);
   EXPECT_EQ(document["processID"], "simulate-section");
   ASSERT_EQ(document["sections"].size(), 1U);
   const json& estimate = document["estimate"];

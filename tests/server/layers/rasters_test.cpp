@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <future>
+#include <latch>
 
 #include "server/operate/problem.hpp"
 #include "tests/server/temporary_folder.hpp"
@@ -14,7 +16,7 @@ class RastersTest : public testing::Test {
  protected:
   /// An Arc ASCII grid of a bank, 40 x 40 m.
   std::filesystem::path bank(double height_m) const {
-    auto file = folder.path() / "bank.asc";
+    auto file = folder.path() / (std::to_string(height_m) + ".asc");
     std::ofstream out(file);
     out << "ncols 40\nnrows 40\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n";
     for (int row = 0; row < 40; ++row) {
@@ -151,6 +153,30 @@ TEST(RasterName, NeverReadsLikeAPath) {
     EXPECT_FALSE(is_raster_name(name)) << name;
   }
   EXPECT_FALSE(is_raster_name(std::string(101, 'a')));
+}
+
+TEST_F(RastersTest, OfTwoRegistrationsOfOneNameAtOnceOneIsToldThatItIsTaken) {
+  for (int round = 0; round < 20; ++round) {
+    const std::string name = "round " + std::to_string(round);
+    const auto low = bank(20 + 2 * round), high = bank(21 + 2 * round);
+    std::latch both(2);
+    const auto take_in = [&](const std::filesystem::path& file) {
+      both.arrive_and_wait();
+      try {
+        register_raster(data, store, file, name, mtm8);
+        return true;
+      } catch (const Problem& problem) {
+        EXPECT_EQ(problem.failure, Failure::name_taken) << problem.what();
+        return false;
+      }
+    };
+    auto other = std::async(std::launch::async, take_in, low);
+    const int taken = (take_in(high) ? 1 : 0) + (other.get() ? 1 : 0);
+    EXPECT_EQ(taken, 1);
+  }
+  EXPECT_EQ(store.rasters().size(), 20U);
+  const std::filesystem::directory_iterator files(data.rasters());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 20) << "no file without a row";
 }
 
 }  // namespace

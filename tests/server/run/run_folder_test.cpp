@@ -197,7 +197,7 @@ TEST_F(RunFolder, KeepsItsLastCheckpointUntilTheResultIsTakenIn) {
 TEST_F(RunFolder, WhatCannotBeWrittenIsNamed) {
   std::ofstream(folder.string()) << "a file where the folder should be";
   EXPECT_THROW(run_case(test::read_case("small-bank.json"), folder), std::runtime_error);
-  EXPECT_THROW(write_whole(folder / "x.json", "{}"), std::runtime_error);
+  EXPECT_THROW(disk::write_whole(folder / "x.json", "{}"), std::runtime_error);
 }
 
 }  // namespace

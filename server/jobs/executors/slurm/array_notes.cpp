@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "server/documents/sha256.hpp"
+#include "disk/sha256.hpp"
 #include "server/operate/data_folder.hpp"
 #include "server/run/run_folder.hpp"
 
@@ -33,7 +33,7 @@ ArrayNote read_note(const fs::path& file) {
 ArrayNotes::ArrayNotes(const fs::path& folder) {
   fs::create_directories(folder);
   folder_ = fs::canonical(folder);
-  prefix_ = "leda-" + sha256(folder_.string()).substr(0, 8) + "-";
+  prefix_ = "leda-" + disk::sha256_of(folder_.string()).substr(0, 8) + "-";
 }
 
 std::vector<ArrayNote> ArrayNotes::read() const {
@@ -58,7 +58,7 @@ void ArrayNotes::write(const ArrayNote& note) const {
                          {"memory_bytes", note.limits.memory_bytes},
                          {"cpu_s", note.limits.cpu_s},
                          {"folders", folders}};
-  write_whole(file(note.name), document.dump(1) + "\n");
+  disk::write_whole(file(note.name), document.dump(1) + "\n");
 }
 
 void ArrayNotes::remove(const std::string& name) const {

@@ -11,7 +11,7 @@ namespace {
 
 void claim(const fs::path& shared, const fs::path& data) {
   const auto owner = shared / "owner";
-  if (!fs::exists(owner)) write_whole(owner, data.string() + "\n");
+  if (!fs::exists(owner)) disk::write_whole(owner, data.string() + "\n");
   if (read_whole(owner) == data.string() + "\n") return;
   throw DataFolderError("the shared folder " + shared.string() +
                         " belongs to another data folder, named in " + owner.string() +

@@ -25,7 +25,7 @@ SlurmExecutor::SlurmExecutor(std::filesystem::path program, SlurmSettings settin
   for (const auto& fault : faults_of(settings_)) faults += (faults.empty() ? "" : "; ") + fault;
   if (!faults.empty()) throw std::runtime_error(faults);
   // Slurm starts a script, and the script's interpreter is leda itself: no shell.
-  write_whole(notes_.batch_script(), "#!" + settings_.program.string() + " array-task\n");
+  disk::write_whole(notes_.batch_script(), "#!" + settings_.program.string() + " array-task\n");
   for (ArrayNote& note : notes_.read()) {
     Array array;
     for (const auto& folder : note.folders) {

@@ -75,7 +75,7 @@ TEST_P(ExecutorSuite, CallsTheProgramWithoutAShellAndKeepsItsOutput) {
   EXPECT_EQ(end.exit_code, 0);
   EXPECT_EQ(end.reason, "");
   const std::string log = text("a b;$(touch x)'/log.txt");
-  EXPECT_NE(log.find("5 simulate --out"), std::string::npos) << log;
+  EXPECT_NE(log.find("6 simulate --out"), std::string::npos) << log;
   EXPECT_NE(log.find("a b;$(touch x)'/case.json"), std::string::npos) << log;
 }
 

@@ -1,4 +1,4 @@
-#include "server/run/whole_file.hpp"
+#include "disk/whole_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -13,7 +13,7 @@
 
 #include "tests/server/temporary_folder.hpp"
 
-namespace leda::server {
+namespace leda::disk {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ TEST(WholeFile, AFullDiskIsToldInManyWords) {
 }
 
 }  // namespace
-}  // namespace leda::server
+}  // namespace leda::disk

@@ -1,13 +1,12 @@
-#include "server/run/whole_file.hpp"
+#include "disk/whole_file.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <system_error>
 
-namespace leda::server {
+namespace leda::disk {
 namespace {
 
 namespace fs = std::filesystem;
@@ -15,7 +14,7 @@ namespace fs = std::filesystem;
 std::string cause_of(int error) { return std::generic_category().message(error); }
 
 [[noreturn]] void fail(const fs::path& file, const char* what, int error) {
-  throw FileError(fmt::format("{} {}: {}", file.string(), what, cause_of(error)));
+  throw FileError(file.string() + " " + what + ": " + cause_of(error));
 }
 
 class Descriptor {
@@ -38,9 +37,6 @@ class Descriptor {
       text.remove_prefix(static_cast<std::size_t>(written));
     }
   }
-  void sync() {
-    if (fsync(number_) != 0) fail(file_, "could not be brought to the disk", errno);
-  }
   // Some file systems tell of a full disk only here.
   void close() {
     const int number = number_;
@@ -53,43 +49,32 @@ class Descriptor {
   int number_;
 };
 
-void write_and_rename(const fs::path& file, std::string_view text, std::string_view more,
-                      bool durably) {
-  fs::path part = file;
-  part += ".part";
-  try {
-    Descriptor out(part, O_WRONLY | O_CREAT | O_TRUNC);
-    out.write(text);
-    out.write(more);
-    if (durably) out.sync();
-    out.close();
-    if (rename(part.c_str(), file.c_str()) != 0) fail(file, "could not be written", errno);
-  } catch (const FileError&) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    throw;
-  }
-  if (durably) sync_to_disk(file.has_parent_path() ? file.parent_path() : ".");
-}
-
-}  // namespace
-
-void write_whole(const fs::path& file, std::string_view text) {
-  write_and_rename(file, text, "", false);
-}
-
-void write_durably(const fs::path& file, std::string_view text, std::string_view more) {
-  write_and_rename(file, text, more, true);
-}
-
-void append_to_file(const fs::path& file, std::string_view text, std::string_view more) {
-  Descriptor out(file, O_WRONLY | O_CREAT | O_APPEND);
+void write(const fs::path& file, int flags, std::string_view text, std::string_view more) {
+  Descriptor out(file, flags);
   out.write(text);
   out.write(more);
   out.close();
 }
 
-void sync_to_disk(const fs::path& path) { Descriptor(path, O_RDONLY).sync(); }
+constexpr int anew = O_WRONLY | O_CREAT | O_TRUNC;
+
+}  // namespace
+
+void write_whole(const fs::path& file, std::string_view text) {
+  NewFile whole(file);
+  write(whole.part(), anew, text, "");
+  whole.keep_in_memory();
+}
+
+void write_durably(const fs::path& file, std::string_view text, std::string_view more) {
+  NewFile whole(file);
+  write(whole.part(), anew, text, more);
+  whole.keep();
+}
+
+void append_to_file(const fs::path& file, std::string_view text, std::string_view more) {
+  write(file, O_WRONLY | O_CREAT | O_APPEND, text, more);
+}
 
 bool tells_of_full_disk(const std::exception& error) {
   const std::string_view what = error.what();
@@ -99,4 +84,4 @@ bool tells_of_full_disk(const std::exception& error) {
   return what.find("database or disk is full") != std::string_view::npos;
 }
 
-}  // namespace leda::server
+}  // namespace leda::disk

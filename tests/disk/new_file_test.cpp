@@ -1,13 +1,13 @@
-#include "db/new_file.hpp"
+#include "disk/new_file.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <stdexcept>
 
-#include "tests/db/samples.hpp"
+#include "tests/server/temporary_folder.hpp"
 
-namespace leda::db {
+namespace leda::disk {
 namespace {
 
 void write(const std::filesystem::path& file, const std::string& text) {
@@ -20,38 +20,38 @@ std::string read(const std::filesystem::path& file) {
 }
 
 TEST(NewFile, StandsUnderItsNameOnlyWhenKept) {
-  const samples::ScratchFolder folder;
-  NewFile file(folder / "a.txt");
+  const tests::TemporaryFolder folder;
+  NewFile file(folder.path() / "a.txt");
   write(file.part(), "whole");
-  EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.txt"));
   file.keep();
-  EXPECT_EQ(read(folder / "a.txt"), "whole");
+  EXPECT_EQ(read(folder.path() / "a.txt"), "whole");
   EXPECT_FALSE(std::filesystem::exists(file.part()));
 }
 
 TEST(NewFile, IsRemovedWhenNotKeptAndLeavesTheOldOne) {
-  const samples::ScratchFolder folder;
-  write(folder / "a.txt", "old");
+  const tests::TemporaryFolder folder;
+  write(folder.path() / "a.txt", "old");
   {
-    NewFile file(folder / "a.txt");
+    NewFile file(folder.path() / "a.txt");
     write(file.part(), "half");
   }
-  EXPECT_EQ(read(folder / "a.txt"), "old");
-  EXPECT_FALSE(std::filesystem::exists(folder / "a.txt.part"));
+  EXPECT_EQ(read(folder.path() / "a.txt"), "old");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.txt.part"));
 }
 
 TEST(NewFile, ReplacesTheOldOneWhole) {
-  const samples::ScratchFolder folder;
-  write(folder / "a.txt", "old");
-  NewFile file(folder / "a.txt");
+  const tests::TemporaryFolder folder;
+  write(folder.path() / "a.txt", "old");
+  NewFile file(folder.path() / "a.txt");
   write(file.part(), "new");
   file.keep();
-  EXPECT_EQ(read(folder / "a.txt"), "new");
+  EXPECT_EQ(read(folder.path() / "a.txt"), "new");
 }
 
 TEST(NewFile, KeepingWhatWasNeverWrittenNamesTheFile) {
-  const samples::ScratchFolder folder;
-  NewFile file(folder / "never.txt");
+  const tests::TemporaryFolder folder;
+  NewFile file(folder.path() / "never.txt");
   try {
     file.keep();
     FAIL() << "should have thrown";
@@ -61,4 +61,4 @@ TEST(NewFile, KeepingWhatWasNeverWrittenNamesTheFile) {
 }
 
 }  // namespace
-}  // namespace leda::db
+}  // namespace leda::disk

@@ -5,7 +5,7 @@
 
 #include "solver/section/section.hpp"
 
-namespace leda::solver {
+namespace leda {
 
 /// Least s_u / tau over the softening ground, tau = (1 - K0) sigma'_v / 2 being the greatest shear
 /// stress of the state at rest under the ground above. Below 1 softening clay yields wherever it
@@ -14,4 +14,7 @@ namespace leda::solver {
 /// @return nothing where no ground softens
 std::optional<double> factor_at_rest(const Section& section, double lower_water_m = 0);
 
-}  // namespace leda::solver
+/// Of the ground, by area, where tau as above is beyond the peak strength.
+double share_beyond_strength_at_rest(const Section& section);
+
+}  // namespace leda

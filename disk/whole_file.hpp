@@ -1,18 +1,13 @@
 #pragma once
-// Files that appear whole or not at all. What fails throws FileError, which names the file and
-// the cause.
+// Texts as files that appear whole or not at all. What fails throws FileError.
 
+#include <exception>
 #include <filesystem>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 
-namespace leda::server {
+#include "disk/new_file.hpp"
 
-class FileError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace leda::disk {
 
 /// Writes a file under a temporary name beside it, then renames: readers see all or nothing.
 void write_whole(const std::filesystem::path& file, std::string_view text);
@@ -25,11 +20,8 @@ void write_durably(const std::filesystem::path& file, std::string_view text,
 void append_to_file(const std::filesystem::path& file, std::string_view text,
                     std::string_view more = "");
 
-/// Brings what was written to a file or folder to the disk.
-void sync_to_disk(const std::filesystem::path& path);
-
 /// Whether an error tells of a full disk, a used-up quota or a limit on the size of files. HDF5,
 /// SQLite and the standard library tell it in the system's words, each in an exception of its own.
 bool tells_of_full_disk(const std::exception& error);
 
-}  // namespace leda::server
+}  // namespace leda::disk

@@ -1,9 +1,16 @@
 #pragma once
-// A file that appears whole or not at all. Private to db/.
+// A file that appears whole or not at all.
 
 #include <filesystem>
+#include <stdexcept>
 
-namespace leda::db {
+namespace leda::disk {
+
+/// Names the file and the cause.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Written as "NAME.part" beside its place and renamed by keep(); otherwise removed. What a killed
 /// program left behind under that name is overwritten by the next try.
@@ -17,8 +24,10 @@ class NewFile {
   const std::filesystem::path& part() const { return part_; }
   const std::filesystem::path& file() const { return file_; }
 
-  /// Brings the bytes to the disk, then the name. Throws std::runtime_error naming the file.
+  /// Brings the bytes to the disk, then the name: it outlives a power cut. @throws FileError
   void keep();
+  /// Only the name: readers see all or nothing. @throws FileError
+  void keep_in_memory();
 
  private:
   std::filesystem::path file_;
@@ -26,4 +35,7 @@ class NewFile {
   bool kept_ = false;
 };
 
-}  // namespace leda::db
+/// Brings what was written to a file or folder to the disk. @throws FileError
+void sync_to_disk(const std::filesystem::path& path);
+
+}  // namespace leda::disk

@@ -1,4 +1,4 @@
-#include "profiles/sha256.hpp"
+#include "disk/sha256.hpp"
 
 #include <openssl/evp.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace leda::profiles {
+namespace leda::disk {
 namespace {
 
 class Digest {
@@ -53,6 +53,10 @@ std::string sha256_of(std::string_view text) {
   return digest.hex();
 }
 
+bool is_sha256(std::string_view text) {
+  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
 std::string sha256_of_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw std::runtime_error("can't read " + file.string());
@@ -65,4 +69,4 @@ std::string sha256_of_file(const std::filesystem::path& file) {
   return digest.hex();
 }
 
-}  // namespace leda::profiles
+}  // namespace leda::disk

@@ -1,0 +1,27 @@
+#include "server/jobs/section_queue.hpp"
+
+#include <algorithm>
+
+namespace leda::server {
+
+using db::SectionState;
+
+SectionQueue::SectionQueue(std::vector<db::SectionInLine> sections)
+    : sections_(std::move(sections)) {
+  for (const auto& section : sections_) counts_.add(section.state);
+}
+
+void SectionQueue::set_state(std::size_t index, SectionState state) {
+  auto& section = sections_.at(index);
+  counts_.change(section.state, state);
+  section.state = state;
+  if (state == SectionState::waiting) none_waits_before_ = std::min(none_waits_before_, index);
+}
+
+std::optional<std::size_t> SectionQueue::first_waiting() const {
+  if (counts_.of(SectionState::waiting) == 0) return std::nullopt;
+  while (sections_[none_waits_before_].state != SectionState::waiting) ++none_waits_before_;
+  return none_waits_before_;
+}
+
+}  // namespace leda::server
