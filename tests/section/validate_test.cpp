@@ -103,7 +103,7 @@ const Case cases[] = {
      {"/layers/1/bottom"}},
     {"line_goes_back",
      [](Section& s, RunSettings&) {
-       s.layers[0] = with_line("crust", {{5, 18}, {1, 3}});
+       s.layers[0] = with_line("crust", {{5, 18}, {1, 3}, {7, 3}});
      },
      {"/layers/0/bottom/1/0"}},
     {"columns_sound", [](Section& s, RunSettings&) { s.columns = halves(s); }, {}},
