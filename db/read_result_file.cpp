@@ -34,6 +34,7 @@ class Reader {
 
   std::vector<std::string> strings(const char* name) const;
   std::vector<Frame> frames() const;
+  FramePart part(const FrameWindow& window) const;
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
@@ -50,9 +51,12 @@ class Reader {
   std::array<hsize_t, Rank> extent(hid_t dataset, const char* name) const;
   template <class Value>
   std::vector<Value> series(const char* name, hid_t memory_type, hsize_t count) const;
+  std::vector<double> times() const;
+  /// @param first of the file's frames, that frames[0] is
   template <class Value>
   void table(const char* name, hid_t memory_type, const std::vector<std::int64_t>& counts,
-             std::vector<Frame>& frames, std::vector<Value> Frame::*values) const;
+             std::size_t first, std::vector<Frame>& frames,
+             std::vector<Value> Frame::*values) const;
 
   std::filesystem::path path_;
   Hdf5Handle file_;
@@ -101,38 +105,65 @@ std::vector<Value> Reader::series(const char* name, hid_t memory_type, hsize_t c
 
 template <class Value>
 void Reader::table(const char* name, hid_t memory_type, const std::vector<std::int64_t>& counts,
-                   std::vector<Frame>& frames, std::vector<Value> Frame::*values) const {
+                   std::size_t first, std::vector<Frame>& frames,
+                   std::vector<Value> Frame::*values) const {
   const Hdf5Handle data = dataset(name);
   const auto size = extent<2>(data, name);
   const Hdf5Handle source(check(H5Dget_space(data), name), H5Sclose);
-  for (std::size_t i = 0; i < frames.size(); ++i) {
+  for (std::size_t i = first; i < first + frames.size(); ++i) {
     const auto count = static_cast<hsize_t>(counts[i]);
     if (counts[i] < 0 || counts[i] > most_particles || count > size[1] || i >= size[0])
       fail(std::string("dataset ") + name + " does not hold the " + std::to_string(counts[i]) +
            " particles of frame " + std::to_string(i));
-    (frames[i].*values).resize(count);
+    auto& row_values = frames[i - first].*values;
+    row_values.resize(count);
     if (count == 0) continue;
     const std::array<hsize_t, 2> start = {i, 0};
     const std::array<hsize_t, 2> row = {1, count};
     H5Sselect_hyperslab(source, H5S_SELECT_SET, start.data(), nullptr, row.data(), nullptr);
     const Hdf5Handle target(H5Screate_simple(1, &count, nullptr), H5Sclose);
-    check(H5Dread(data, memory_type, target, source, H5P_DEFAULT, (frames[i].*values).data()),
+    check(H5Dread(data, memory_type, target, source, H5P_DEFAULT, row_values.data()),
           std::string("dataset ") + name);
   }
 }
 
-std::vector<Frame> Reader::frames() const {
+std::vector<double> Reader::times() const {
   const Hdf5Handle time = dataset("time");
   const hsize_t count = extent<1>(time, "time")[0];
   if (count > most_frames) fail("dataset time claims " + std::to_string(count) + " frames");
-  const auto times = series<double>("time", H5T_NATIVE_DOUBLE, count);
-  const auto particles = series<std::int64_t>("particles", H5T_NATIVE_INT64, count);
-  std::vector<Frame> all(count);
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].time_s = times[i];
+  return series<double>("time", H5T_NATIVE_DOUBLE, count);
+}
+
+std::vector<Frame> Reader::frames() const {
+  const auto all_times = times();
+  const auto particles = series<std::int64_t>("particles", H5T_NATIVE_INT64, all_times.size());
+  std::vector<Frame> all(all_times.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].time_s = all_times[i];
   for (const FrameField& field : frame_fields)
-    table(field.name, H5T_NATIVE_FLOAT, particles, all, field.values);
-  table("material", H5T_NATIVE_INT32, particles, all, &Frame::material);
+    table(field.name, H5T_NATIVE_FLOAT, particles, 0, all, field.values);
+  table("material", H5T_NATIVE_INT32, particles, 0, all, &Frame::material);
   return all;
+}
+
+FramePart Reader::part(const FrameWindow& window) const {
+  FramePart part;
+  part.times_s = times();
+  part.materials = strings("materials");
+  const auto particles = series<std::int64_t>("particles", H5T_NATIVE_INT64, part.times_s.size());
+  std::int64_t sum = 0;
+  for (std::size_t i = window.first; i < particles.size() && part.frames.size() < window.count;
+       ++i) {
+    sum += std::max<std::int64_t>(particles[i], 0);
+    if (!part.frames.empty() && sum > static_cast<std::int64_t>(window.most_particles)) break;
+    part.frames.emplace_back().time_s = part.times_s[i];
+  }
+  for (const FrameField& field : frame_fields) {
+    if (std::ranges::find(window.fields, field.name) == window.fields.end()) continue;
+    table(field.name, H5T_NATIVE_FLOAT, particles, window.first, part.frames, field.values);
+  }
+  if (window.material)
+    table("material", H5T_NATIVE_INT32, particles, window.first, part.frames, &Frame::material);
+  return part;
 }
 
 }  // namespace
@@ -148,6 +179,10 @@ ResultFileOrigin read_result_file_origin(const std::filesystem::path& file) {
 
 std::vector<Frame> read_result_file(const std::filesystem::path& file) {
   return Reader(file).frames();
+}
+
+FramePart read_frames(const std::filesystem::path& file, const FrameWindow& window) {
+  return Reader(file).part(window);
 }
 
 }  // namespace leda::db

@@ -42,4 +42,22 @@ ResultFileOrigin read_result_file_origin(const std::filesystem::path& file);
 /// wrong with it: missing, truncated, damaged (its bytes carry checksums), or of another kind.
 std::vector<Frame> read_result_file(const std::filesystem::path& file);
 
+/// Which frames of a file, and what of them.
+struct FrameWindow {
+  std::size_t first = 0, count = 0;
+  std::size_t most_particles = 0;   ///< of all frames together; fewer frames are read then
+  std::vector<std::string> fields;  ///< names of frame_fields; the others stay empty
+  bool material = false;
+};
+
+struct FramePart {
+  std::vector<Frame> frames;    ///< fewer than asked for where the file ends, or at most_particles
+  std::vector<double> times_s;  ///< of every frame of the file
+  std::vector<std::string> materials;  ///< in the order Frame::material counts them
+};
+
+/// A part of a file, without reading the rest. At least one frame where there is one at `first`.
+/// Throws as read_result_file.
+FramePart read_frames(const std::filesystem::path& file, const FrameWindow& window);
+
 }  // namespace leda::db

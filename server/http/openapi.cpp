@@ -113,6 +113,9 @@ json operation_of(const Route& route, const std::string& path) {
         {"required", true},
         {"content", {{"image/tiff", {{"schema", {{"type", "string"}, {"format", "binary"}}}}}}}};
   }
+  if (route.path.ends_with("/layout")) {
+    operation["requestBody"] = body_of("layoutRequest");
+  }
   if (route.method == "PATCH") {
     operation["requestBody"] = body_of("rasterName");
   }

@@ -8,7 +8,10 @@ namespace leda::server {
 namespace {
 
 constexpr std::array table{
-    Route{"GET", "/", get_landing, "Landing page", "f", "landingPage text/html"},
+    Route{"GET", "/", get_landing, "Landing page; for a browser the map page", "f",
+          "landingPage text/html", Role::anyone},
+    Route{"GET", "/page/{file}", get_page_file, "A file of the map page", "",
+          "text/javascript text/css text/plain image/svg+xml", Role::anyone},
     Route{"GET", "/conformance", get_conformance, "Conformance classes", "f", "confClasses"},
     Route{"GET", "/api", get_api, "This interface as OpenAPI 3.0", "f",
           "application/vnd.oai.openapi+json;version=3.0"},
@@ -38,6 +41,11 @@ constexpr std::array table{
           "What the worker of its latest run wrote", "tail", "text/plain"},
     Route{"GET", "/jobs/{jobID}/compare", get_compare, "Two sections side by side", "f sections",
           "comparison image/svg+xml"},
+    Route{"GET", "/jobs/{jobID}/sections/{name}/frames", get_frames,
+          "The particles of its latest run over time", "field first count",
+          "application/octet-stream"},
+    Route{"GET", "/jobs/{jobID}/map", get_job_map,
+          "Sections and zones in the DEM's CRS, for drawing", "", "application/vnd.leda.map+json"},
     Route{"GET", "/jobs/{jobID}/export", get_export, "Sections and zones as a file", "f",
           "application/geopackage+sqlite3 application/geo+json application/zip"},
 
@@ -50,6 +58,11 @@ constexpr std::array table{
           Role::submit},
     Route{"GET", "/rasters/{rasterID}/hillshade.png", get_hillshade, "A shaded picture of a DEM",
           "", "image/png"},
+
+    Route{"POST", "/rasters/{rasterID}/layout", post_layout,
+          "Sections as they would be cut: profile, crest, toe", "", "layout"},
+    Route{"GET", "/rasters/{rasterID}/elevation", get_elevation, "Ground at a point of a DEM", "at",
+          "elevation"},
 
     Route{"GET", "/collections", get_collections, "Layers of the map", "f", "collections"},
     Route{"GET", "/collections/{collectionID}", get_collection, "A layer", "f", "collection"},

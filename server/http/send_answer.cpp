@@ -139,6 +139,12 @@ bool send_ranges(const std::string& range, const httplib::Request& request,
   return true;
 }
 
+/// The library packs bodies for clients that take that, whatever was done to them before.
+bool is_packed(const Answer& answer) {
+  return std::ranges::any_of(answer.headers,
+                             [](const auto& header) { return header.first == "Content-Encoding"; });
+}
+
 void send_stream(Site& site, const Answer& answer, httplib::Response& response) {
   response.set_chunked_content_provider(
       answer.type, [&site, next = answer.stream](std::size_t, httplib::DataSink& sink) {
@@ -163,7 +169,7 @@ void send(Site& site, const httplib::Request& request, Answer& answer,
   const std::string range = range_of(request, answer);
   const bool is_read = request.method == "GET" || request.method == "HEAD";
   if (is_read && answer.status == 200) response.set_header("Accept-Ranges", "bytes");
-  if (range.empty() && answer.file.empty()) {
+  if (range.empty() && answer.file.empty() && !is_packed(answer)) {
     response.body = std::move(answer.body);  // set_content() would copy it
     if (answer.status != 204) response.set_header("Content-Type", answer.type);
     return;

@@ -12,6 +12,9 @@ Answer get_landing(Site& site, const Call& call);
 Answer get_conformance(Site& site, const Call& call);
 Answer get_api(Site& site, const Call& call);
 
+// page.cpp
+Answer get_page_file(Site& site, const Call& call);
+
 // processes.cpp
 Answer get_processes(Site& site, const Call& call);
 Answer get_process(Site& site, const Call& call);
@@ -34,6 +37,12 @@ Answer get_section_log(Site& site, const Call& call);
 Answer get_compare(Site& site, const Call& call);
 Answer get_export(Site& site, const Call& call);
 
+// job_map.cpp
+Answer get_job_map(Site& site, const Call& call);
+
+// frames.cpp
+Answer get_frames(Site& site, const Call& call);
+
 // rasters.cpp
 Answer post_raster(Site& site, const Call& call);
 Answer get_rasters(Site& site, const Call& call);
@@ -41,6 +50,10 @@ Answer patch_raster(Site& site, const Call& call);
 Answer delete_raster(Site& site, const Call& call);
 Answer get_raster(Site& site, const Call& call);
 Answer get_hillshade(Site& site, const Call& call);
+
+// layout.cpp
+Answer post_layout(Site& site, const Call& call);
+Answer get_elevation(Site& site, const Call& call);
 
 // collections.cpp
 Answer get_collections(Site& site, const Call& call);

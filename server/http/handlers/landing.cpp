@@ -1,6 +1,8 @@
 #include <nlohmann/json.hpp>
 
+#include "server/http/gate.hpp"
 #include "server/http/handlers/handlers.hpp"
+#include "server/http/handlers/page.hpp"
 #include "server/http/handlers/parameters.hpp"
 #include "server/http/openapi.hpp"
 #include "server/http/site.hpp"
@@ -28,6 +30,7 @@ json links_of(const std::string& url) {
       link("/rasters", "related", "application/json", "Registered DEMs")};
 }
 
+/// For people where the program was built without the map page.
 std::string html_page(const json& links) {
   std::string page =
       "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Leda</title>"
@@ -44,6 +47,8 @@ std::string html_page(const json& links) {
 
 Answer get_landing(Site& site, const Call& call) {
   const bool for_people = format(call, {"json", "html"}) == "html";
+  if (for_people && has_page()) return page_answer(call);
+  require_role(Role::read, call.header, site.tokens);
   const json links = links_of(site.url);
   if (for_people) {
     Answer answer;

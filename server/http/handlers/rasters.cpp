@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "profiles/hillshade.hpp"
+#include "profiles/proj4_text.hpp"
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/object_reader.hpp"
 #include "server/http/handlers/handlers.hpp"
@@ -32,6 +33,7 @@ json document_of(const db::RasterRecord& raster, const std::string& url) {
       {"id", raster.id},
       {"name", raster.name},
       {"crs", "EPSG:" + std::to_string(raster.epsg)},
+      {"proj4", profiles::proj4_text(raster.epsg)},
       {"cell", {raster.cell_x, raster.cell_y}},
       {"size", {raster.width, raster.height}},
       {"bbox", raster.box},
