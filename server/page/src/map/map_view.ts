@@ -1,0 +1,272 @@
+// The map: hillshade, what is drawn, and a job's sections and zones.
+
+import Feature from 'ol/Feature';
+import OlMap from 'ol/Map';
+import View from 'ol/View';
+import {defaults as default_controls} from 'ol/control/defaults';
+import ScaleLine from 'ol/control/ScaleLine';
+import {getCenter} from 'ol/extent';
+import GeoJSON from 'ol/format/GeoJSON';
+import type Geometry from 'ol/geom/Geometry';
+import LineString from 'ol/geom/LineString';
+import MultiPolygon from 'ol/geom/MultiPolygon';
+import Point from 'ol/geom/Point';
+import Polygon from 'ol/geom/Polygon';
+import Draw from 'ol/interaction/Draw';
+import Modify from 'ol/interaction/Modify';
+import ImageLayer from 'ol/layer/Image';
+import VectorLayer from 'ol/layer/Vector';
+import type Projection from 'ol/proj/Projection';
+import ImageStatic from 'ol/source/ImageStatic';
+import VectorSource from 'ol/source/Vector';
+import {blob} from '../api';
+import {type ColourBy, type Entry, colour_sections} from '../colours';
+import type {JobMap, Raster, XY, Zone} from '../types';
+import {projection_of, to_degrees} from './projection';
+import {
+  SectionStyles, chosen_style, drawn_style, laid_style, left_out_style, point_style, probability_style, zone_styles,
+} from './styles';
+
+type Source = VectorSource<Feature<Geometry>>;
+export type LayerName = 'hillshade' | 'release' | 'runout' | 'probability' | 'sections';
+export type DrawKind = 'along' | 'section' | 'region';
+
+/** Something drawn by hand: a line of the layout, or an area of a soil. */
+export interface Drawn {
+  id: string;
+  kind: DrawKind;
+  name: string;
+  points: XY[];
+}
+
+/** Names show while they have room: few sections, or a close look. */
+const most_names = 60;
+
+function polygons_of(zones: readonly Zone[]): Feature<Geometry>[] {
+  return zones.map((zone) => new Feature<Geometry>({geometry: new MultiPolygon(zone.polygons), zone}));
+}
+
+export class MapView {
+  readonly map: OlMap;
+  private readonly hillshade = new ImageLayer<ImageStatic>();
+  private readonly sources: Record<'release' | 'runout' | 'probability' | 'sections', Source> = {
+    release: new VectorSource(), runout: new VectorSource(), probability: new VectorSource(),
+    sections: new VectorSource(),
+  };
+  private readonly drawn: Source = new VectorSource();
+  private readonly laid: Source = new VectorSource();
+  private readonly chosen: Source = new VectorSource();
+  private readonly layers = new Map<LayerName, VectorLayer | ImageLayer<ImageStatic>>();
+  private readonly job_layers: VectorLayer[];
+  private readonly draft_layers: VectorLayer[];
+  private projection: Projection | undefined;
+  private raster_id = '';
+  private hillshade_url = '';
+  private colours: Entry[] = [];
+  private names: string[] = [];
+  private drawing: Draw | null = null;
+  private draws_now = false;
+
+  on_pick: (name: string) => void = () => undefined;
+  on_drawn_change: (drawn: Drawn) => void = () => undefined;
+  on_pointer: (at: XY | null, degrees: number[] | null) => void = () => undefined;
+
+  constructor(target: HTMLElement) {
+    const styles = new SectionStyles();
+    const sections = new VectorLayer({
+      source: this.sources.sections,
+      style: (feature, resolution) => {
+        const i = feature.get('i') as number;
+        const named = this.names.length <= most_names || resolution < 0.5;
+        return styles.of(this.colours[i]!, named ? this.names[i]! : null);
+      },
+      declutter: true,
+      updateWhileInteracting: false,
+    });
+    const zones = (kind: 'release' | 'runout') => new VectorLayer({source: this.sources[kind], style: zone_styles[kind]});
+    const probability = new VectorLayer({
+      source: this.sources.probability,
+      style: (feature) => probability_style(Number(feature.get('exceedance')) || 0),
+    });
+    this.layers.set('hillshade', this.hillshade).set('release', zones('release')).set('runout', zones('runout'))
+      .set('probability', probability).set('sections', sections);
+    this.job_layers = [...this.layers.values()].filter((layer): layer is VectorLayer => layer !== this.hillshade);
+    const laid = new VectorLayer({
+      source: this.laid, style: (feature) => (feature.get('reason') ? left_out_style : laid_style),
+    });
+    const drawn = new VectorLayer({source: this.drawn, style: (feature) => drawn_style(feature as Feature)});
+    this.draft_layers = [laid, drawn];
+    this.map = new OlMap({
+      target,
+      controls: default_controls({attribution: false, rotate: false}).extend([new ScaleLine()]),
+      layers: [
+        ...this.layers.values(), laid, drawn,
+        new VectorLayer({source: this.chosen, style: (feature) => feature.get('style') ?? chosen_style}),
+      ],
+    });
+    this.listen();
+  }
+
+  private listen(): void {
+    this.map.on('singleclick', (event) => {
+      if (this.draws_now) return;
+      const hit = this.map.forEachFeatureAtPixel(event.pixel, (feature) => {
+        const name = feature.get('pick') as string | undefined;
+        return name === undefined ? undefined : name;
+      }, {hitTolerance: 8});
+      if (hit !== undefined) this.on_pick(hit);
+    });
+    this.map.on('pointermove', (event) => {
+      if (event.dragging || !this.projection) return;
+      const at = event.coordinate as XY;
+      this.on_pointer(at, to_degrees(at, this.projection));
+    });
+    this.map.getViewport()!.addEventListener('pointerleave', () => this.on_pointer(null, null));
+    const modify = new Modify({source: this.drawn as VectorSource});
+    modify.on('modifyend', (event) => event.features.forEach((feature) => this.tell_drawn(feature as Feature)));
+    this.map.addInteraction(modify);
+  }
+
+  private tell_drawn(feature: Feature): void {
+    const geometry = feature.getGeometry() as LineString;
+    const points = geometry.getCoordinates() as unknown as XY[] & XY[][];
+    const kind = feature.get('kind') as DrawKind;
+    this.on_drawn_change({
+      id: feature.get('id') as string, kind, name: feature.get('name') as string,
+      points: kind === 'region' ? (points[0] as unknown as XY[]).slice(0, -1) : points,
+    });
+  }
+
+  /** Puts a DEM under the map and looks at all of it. Nothing changes where it lies there already. */
+  async show_raster(raster: Raster | null): Promise<void> {
+    if (!raster || raster.id === this.raster_id) return;
+    this.raster_id = raster.id;
+    const projection = projection_of(raster);
+    this.projection = projection;
+    this.map.setView(new View({
+      projection, center: getCenter(raster.bbox), extent: grown(raster.bbox, 0.6), showFullExtent: true,
+      minResolution: 0.02, constrainOnlyCenter: true,
+    }));
+    this.fit(raster.bbox);
+    const picture = await blob(`rasters/${raster.id}/hillshade.png`);
+    if (raster.id !== this.raster_id) return;
+    URL.revokeObjectURL(this.hillshade_url);
+    this.hillshade_url = URL.createObjectURL(picture);
+    this.hillshade.setSource(new ImageStatic({
+      url: this.hillshade_url, imageExtent: raster.bbox, projection, interpolate: true,
+    }));
+  }
+
+  fit(box: number[], most_resolution = 0.1): void {
+    this.map.getView()!.fit(box, {padding: [24, 24, 24, 24], minResolution: most_resolution});
+  }
+
+  show_drawn(drawn: readonly Drawn[]): void {
+    this.drawn.clear(true);
+    this.drawn.addFeatures(drawn.map(({id, kind, name, points}) => {
+      const geometry = kind === 'region'
+        ? new Polygon([[...points, points[0]!]])
+        : new LineString(points);
+      return new Feature<Geometry>({geometry, id, kind, name, pick: kind === 'section' ? name : undefined});
+    }));
+  }
+
+  show_laid(laid: readonly {name: string; trace: XY[]; reason?: string}[]): void {
+    this.laid.clear(true);
+    this.laid.addFeatures(laid.map(({name, trace, reason}) =>
+      new Feature<Geometry>({geometry: new LineString(trace), pick: name, reason})));
+  }
+
+  get has_probability(): boolean {
+    return this.sources.probability.getFeatures().length > 0;
+  }
+
+  show_job(job: JobMap | null, by: ColourBy, probability: object | null): void {
+    for (const source of Object.values(this.sources)) source.clear(true);
+    if (!job) return;
+    this.colours = colour_sections(job, by).of;
+    this.names = job.sections.name;
+    this.sources.sections.addFeatures(job.sections.trace.map((trace, i) =>
+      new Feature<Geometry>({geometry: new LineString(trace), pick: this.names[i], i})));
+    this.sources.release.addFeatures(polygons_of(job.release_zones));
+    this.sources.runout.addFeatures(polygons_of(job.runout_zones));
+    if (probability && this.projection) {
+      const read = {dataProjection: 'EPSG:4326', featureProjection: this.projection};
+      this.sources.probability.addFeatures(new GeoJSON().readFeatures(probability, read) as Feature<Geometry>[]);
+    }
+  }
+
+  recolour(job: JobMap, by: ColourBy): void {
+    this.colours = colour_sections(job, by).of;
+    this.layers.get('sections')!.changed();
+  }
+
+  /** A job's layers, or what is drawn for the next one. */
+  show_side(side: 'draft' | 'job'): void {
+    for (const layer of this.job_layers) layer.setVisible(side === 'job' && !this.hidden.has(layer));
+    for (const layer of this.draft_layers) layer.setVisible(side === 'draft');
+    this.side = side;
+    this.choose(null);
+  }
+  private side: 'draft' | 'job' = 'draft';
+  private readonly hidden = new Set<unknown>();
+
+  set_visible(name: LayerName, visible: boolean): void {
+    const layer = this.layers.get(name)!;
+    if (visible) this.hidden.delete(layer);
+    else this.hidden.add(layer);
+    layer.setVisible(visible && (layer === this.hillshade || this.side === 'job'));
+  }
+
+  /** Marks a trace, with points of its crest and toe. */
+  choose(trace: readonly XY[] | null, points: readonly {at: XY; colour: string}[] = []): void {
+    this.chosen.clear(true);
+    if (!trace) return;
+    this.chosen.addFeature(new Feature<Geometry>({geometry: new LineString(trace as XY[])}));
+    this.chosen.addFeatures(points.map(({at, colour}) =>
+      new Feature<Geometry>({geometry: new Point(at), style: point_style(colour)})));
+  }
+
+  /** Lets the user draw one line or area. */
+  draw(kind: DrawKind, done: (points: XY[]) => void): void {
+    this.stop_drawing();
+    const type = kind === 'region' ? 'Polygon' : 'LineString';
+    this.drawing = new Draw({type, maxPoints: kind === 'section' ? 2 : undefined});
+    this.draws_now = true;
+    this.drawing.on('drawend', (event) => {
+      const geometry = event.feature.getGeometry() as LineString;
+      const points = geometry.getCoordinates() as unknown as XY[] & XY[][];
+      this.stop_drawing();
+      done(kind === 'region' ? (points[0] as unknown as XY[]).slice(0, -1) : points);
+    });
+    this.map.addInteraction(this.drawing);
+  }
+
+  stop_drawing(): void {
+    if (this.drawing) this.map.removeInteraction(this.drawing);
+    this.drawing = null;
+    // The click that ended it is still on its way to `singleclick`.
+    setTimeout(() => (this.draws_now = this.drawing !== null), 400);
+  }
+
+  /** What the map shows now, as the address of a PNG. */
+  picture(): string {
+    const canvas = document.createElement('canvas');
+    const [width, height] = this.map.getSize() ?? [1, 1];
+    canvas.width = width!;
+    canvas.height = height!;
+    const to = canvas.getContext('2d')!;
+    to.fillStyle = '#ffffff';
+    to.fillRect(0, 0, canvas.width, canvas.height);
+    for (const from of this.map.getViewport()!.querySelectorAll<HTMLCanvasElement>('.ol-layer canvas')) {
+      if (from.width > 0) to.drawImage(from, 0, 0, canvas.width, canvas.height);
+    }
+    return canvas.toDataURL('image/png');
+  }
+}
+
+function grown(box: readonly number[], share: number): number[] {
+  const dx = (box[2]! - box[0]!) * share;
+  const dy = (box[3]! - box[1]!) * share;
+  return [box[0]! - dx, box[1]! - dy, box[2]! + dx, box[3]! + dy];
+}

@@ -1,0 +1,101 @@
+// Dry run, what it would cost, and submit.
+
+import {go, load_jobs, show_job} from '../actions';
+import {Problem, send} from '../api';
+import {request_of} from '../draft';
+import {fill, h} from '../dom';
+import {mark_faults} from '../form/faults';
+import {on, state, step_of, tell} from '../state';
+import type {DryRun, Job} from '../types';
+import {type Word, show, t} from '../words';
+import {Report, button, facts, field} from './parts';
+
+const most_notes = 50;
+
+function bytes(count: number): string {
+  const units = ['B', 'kB', 'MB', 'GB', 'TB'];
+  const power = Math.min(Math.floor(Math.log10(Math.max(count, 1)) / 3), units.length - 1);
+  return `${show(count / 1000 ** power)} ${units[power]}`;
+}
+
+function estimate_of({estimate, sections}: DryRun): HTMLElement {
+  const notes = sections.filter(({reason, warnings}) => reason || warnings.length > 0);
+  return h('div', {},
+    h('p', {class: 'good'}, t('dry_ok')),
+    facts([
+      [t('est_runs'), show(estimate.runs)],
+      [t('est_left_out'), show(estimate.left_out)],
+      [t('est_stable'), show(estimate.stable)],
+      [t('est_particles'), show(estimate.particles, 0)],
+      [t('est_core_hours'), `${show(estimate.core_hours, 3)} (${t('est_at_most')} ${show(estimate.core_hours_at_most, 3)})`],
+      [t('est_disk'), bytes(estimate.disk_bytes)],
+      [t('est_basis'), estimate.based_on],
+    ]),
+    notes.length === 0 ? null : h('details', {}, h('summary', {}, `${t('section_notes')}: ${notes.length}`),
+      h('ul', {class: 'warnings'}, notes.slice(0, most_notes).map(({name, reason, warnings}) =>
+        h('li', {}, h('strong', {}, name), ` ${[reason, ...warnings].filter(Boolean).join('; ')}`)))));
+}
+
+/** Faults, each with a way to the field it is about. */
+function fault_list(): HTMLElement {
+  const {faults} = state;
+  return h('div', {}, h('p', {class: 'bad', role: 'alert'}, faults.length === 1 ? t('fault_one') : t('faults', {count: faults.length})),
+    h('ul', {class: 'warnings'}, faults.map(({pointer, detail}) => {
+      const step = step_of(pointer);
+      return h('li', {}, h('code', {}, pointer), ` ${detail} `,
+        step === 'run' ? null : h('button', {type: 'button', class: 'small', onclick: () => {
+          go(step);
+          document.querySelector('main .step:not([hidden]) .fault')?.scrollIntoView({block: 'center'});
+        }}, `${t('fault_go')}: ${t(`step_${step}` as Word)}`));
+    })));
+}
+
+export function run_step(): HTMLElement {
+  const report = new Report();
+  const outcome = h('div');
+  const name = h('input', {type: 'text', maxlength: 200, value: state.draft.name, autocomplete: 'off', oninput: () => {
+    state.draft.name = name.value;
+    tell('draft');
+  }});
+  const form = field(t('job_name'), name, '/inputs/name');
+
+  const ask = async <T>(body: object): Promise<T | null> => {
+    report.say(t('submitting'));
+    fill(outcome);
+    state.faults = [];
+    try {
+      const answer = await send<T>('POST', 'processes/map-region/execution', body);
+      report.say('');
+      return answer;
+    } catch (error) {
+      if (error instanceof Problem && error.faults.length > 0) {
+        state.faults = error.faults;
+        report.say(error.message, true);
+        fill(outcome, fault_list());
+      } else {
+        report.problem(error);
+      }
+      return null;
+    } finally {
+      mark_faults(form, state.faults);
+      tell('faults');
+    }
+  };
+  const dry = async () => {
+    const answer = await ask<DryRun>({...request_of(state.draft), dryRun: true});
+    if (answer) fill(outcome, estimate_of(answer));
+  };
+  const submit = async () => {
+    const job = await ask<Job>(request_of(state.draft));
+    if (!job) return;
+    await load_jobs();
+    await show_job(job.jobID);
+    go('look');
+  };
+  on('draft', () => {
+    if (name.value !== state.draft.name) name.value = state.draft.name;
+  });
+  return h('section', {}, h('h2', {}, t('step_run')), h('p', {}, t('run_intro')), form,
+    h('div', {class: 'row'}, button('dry_run', () => void dry()), button('submit', () => void submit(), 'primary')),
+    report.element, outcome);
+}
