@@ -1,7 +1,6 @@
 // What several parts of the page do: load lists, show a job, open a section.
 
 import {Problem, get} from './api';
-import {is_finished} from './events';
 import {state, tell} from './state';
 import type {Step} from './state';
 import type {Job, JobMap, Raster, SectionDetail} from './types';
@@ -15,7 +14,7 @@ export async function load_rasters(): Promise<void> {
   state.rasters = (await get<{rasters: Raster[]}>('rasters')).rasters;
   if (!state.raster) {
     const wanted = state.draft.dem;
-    const known = state.rasters.find(({id, name}) => id === wanted || name === wanted);
+    const known = state.rasters.find(({id, name}) => id === wanted || name === wanted) ?? (wanted ? undefined : state.rasters[0]);
     if (known) use_raster(known);
   }
   tell('rasters');
@@ -80,8 +79,4 @@ export async function follow_address(): Promise<void> {
   } catch (error) {
     if (!(error instanceof Problem) || error.status !== 404) throw error;
   }
-}
-
-export function newest_finished(): Job | undefined {
-  return state.jobs.find((job) => is_finished(job) && job.status === 'successful');
 }

@@ -16,6 +16,7 @@ export interface Schema {
   items?: Schema | Schema[];
   minItems?: number;
   maxItems?: number;
+  maxProperties?: number;
   minimum?: number;
   maximum?: number;
   exclusiveMinimum?: number;
@@ -95,12 +96,12 @@ export function variant_name(schema: Schema): string {
 
 const units: readonly (readonly [RegExp, string])[] = [
   [/_kN_m3$/, 'kN/m³'], [/_kPa$/, 'kPa'], [/_Pa_sn$/, 'Pa sⁿ'], [/_Pa_s$/, 'Pa s'], [/_per_s$/, '1/s'], [/_deg$/, '°'],
-  [/_m$/, 'm'], [/_s$/, 's'], [/(_strain|^strain_95|^large_strain)$/, '–'],
+  [/_m$/, 'm'], [/_s$/, 's'],
 ];
 
-/** The unit that stands in a member's name; '–' where it has none. */
+/** The unit that stands in a member's name; empty where it has none. */
 export function unit_of(name: string): string {
-  return units.find(([ending]) => ending.test(name))?.[1] ?? '–';
+  return units.find(([ending]) => ending.test(name))?.[1] ?? '';
 }
 
 /** A typed number, with either decimal sign; the text itself where it is none. */

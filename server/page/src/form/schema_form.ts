@@ -30,7 +30,10 @@ export class SchemaForm {
   private fill_members(box: HTMLElement, schema: Schema, object: JsonObject, pointer: string, only?: readonly string[]): void {
     box.replaceChildren();
     const again = () => this.fill_members(box, schema, object, pointer, only);
-    const possible = Object.entries(schema.properties ?? {}).filter(([name]) => !only || only.includes(name));
+    // The server sorts members by name; what must be there comes first, blocks of their own last.
+    const rank = (name: string, member: Schema) => (schema.required?.includes(name) ? 0 : 2) + (this.is_block(member) ? 1 : 0);
+    const possible = Object.entries(schema.properties ?? {}).filter(([name]) => !only || only.includes(name))
+      .sort(([a, x], [b, y]) => rank(a, x) - rank(b, y));
     const absent: string[] = [];
     for (const [name, member] of possible) {
       const form = this.schemas.resolve(member);
@@ -46,7 +49,13 @@ export class SchemaForm {
       });
       box.append(this.member(name, form, {holder: object, key: name}, `${pointer}/${pointer_part(name)}`, remove));
     }
-    if (absent.length > 0) box.append(this.adder(absent, schema, object, again));
+    const full = Object.keys(object).length >= (schema.maxProperties ?? Infinity);
+    if (absent.length > 0 && !full) box.append(this.adder(absent, schema, object, again));
+  }
+
+  private is_block(member: Schema): boolean {
+    const form = this.schemas.resolve(member);
+    return form.type === 'object' || form.type === 'array';
   }
 
   private adder(absent: readonly string[], schema: Schema, object: JsonObject, again: () => void): HTMLElement {
@@ -160,7 +169,7 @@ export class SchemaForm {
 
   private row(item: Schema, list: Json[], i: number, value: Json, pointer: string, tools: HTMLElement): HTMLElement {
     if (item.type === 'object') {
-      return h('div', {class: 'item'}, tools, this.members(item, value as JsonObject, pointer));
+      return h('div', {class: 'item'}, h('div', {class: 'item-head'}, h('span', {class: 'quiet'}, i + 1), tools), this.members(item, value as JsonObject, pointer));
     }
     const row = (Array.isArray(value) ? value : [value]) as Json[];
     list[i] = row;

@@ -13,6 +13,7 @@ import MultiPolygon from 'ol/geom/MultiPolygon';
 import Point from 'ol/geom/Point';
 import Polygon from 'ol/geom/Polygon';
 import Draw from 'ol/interaction/Draw';
+import {defaults as default_interactions} from 'ol/interaction/defaults';
 import Modify from 'ol/interaction/Modify';
 import ImageLayer from 'ol/layer/Image';
 import VectorLayer from 'ol/layer/Vector';
@@ -54,6 +55,7 @@ export class MapView {
     sections: new VectorSource(),
   };
   private readonly drawn: Source = new VectorSource();
+  private readonly modify = new Modify({source: this.drawn as VectorSource});
   private readonly laid: Source = new VectorSource();
   private readonly chosen: Source = new VectorSource();
   private readonly layers = new Map<LayerName, VectorLayer | ImageLayer<ImageStatic>>();
@@ -99,6 +101,8 @@ export class MapView {
     this.map = new OlMap({
       target,
       controls: default_controls({attribution: false, rotate: false}).extend([new ScaleLine()]),
+      // A double click ends a line that is drawn.
+      interactions: default_interactions({doubleClickZoom: false, altShiftDragRotate: false, pinchRotate: false}),
       layers: [
         ...this.layers.values(), laid, drawn,
         new VectorLayer({source: this.chosen, style: (feature) => feature.get('style') ?? chosen_style}),
@@ -110,11 +114,8 @@ export class MapView {
   private listen(): void {
     this.map.on('singleclick', (event) => {
       if (this.draws_now) return;
-      const hit = this.map.forEachFeatureAtPixel(event.pixel, (feature) => {
-        const name = feature.get('pick') as string | undefined;
-        return name === undefined ? undefined : name;
-      }, {hitTolerance: 8});
-      if (hit !== undefined) this.on_pick(hit);
+      const name = this.near(event.coordinate as XY);
+      if (name !== undefined) this.on_pick(name);
     });
     this.map.on('pointermove', (event) => {
       if (event.dragging || !this.projection) return;
@@ -122,9 +123,19 @@ export class MapView {
       this.on_pointer(at, to_degrees(at, this.projection));
     });
     this.map.getViewport()!.addEventListener('pointerleave', () => this.on_pointer(null, null));
-    const modify = new Modify({source: this.drawn as VectorSource});
-    modify.on('modifyend', (event) => event.features.forEach((feature) => this.tell_drawn(feature as Feature)));
-    this.map.addInteraction(modify);
+    this.modify.on('modifyend', (event) => event.features.forEach((feature) => this.tell_drawn(feature as Feature)));
+    this.map.addInteraction(this.modify);
+  }
+
+  /** The name of what runs within some pixels of a point, by its geometry: no canvas is read back. */
+  private near(at: XY): string | undefined {
+    const reach = 8 * this.map.getView()!.getResolution()!;
+    for (const source of this.side === 'job' ? [this.sources.sections] : [this.drawn, this.laid]) {
+      const found = source.getClosestFeatureToCoordinate(at, (feature) => feature.get('pick') !== undefined);
+      const [x, y] = found?.getGeometry()?.getClosestPoint(at) ?? [Infinity, Infinity];
+      if (Math.hypot(x! - at[0], y! - at[1]) <= reach) return found!.get('pick') as string;
+    }
+    return undefined;
   }
 
   private tell_drawn(feature: Feature): void {
@@ -158,7 +169,7 @@ export class MapView {
   }
 
   fit(box: number[], most_resolution = 0.1): void {
-    this.map.getView()!.fit(box, {padding: [24, 24, 24, 24], minResolution: most_resolution});
+    this.map.getView()!.fit(box, {padding: [40, 40, 40, 40], minResolution: most_resolution});
   }
 
   show_drawn(drawn: readonly Drawn[]): void {
@@ -181,6 +192,14 @@ export class MapView {
     return this.sources.probability.getFeatures().length > 0;
   }
 
+  /** Looks at all sections of a job the first time it shows. */
+  private fit_to_job(job: JobMap): void {
+    if (job.job === this.fitted_to || job.sections.name.length === 0) return;
+    this.fitted_to = job.job;
+    this.fit(this.sources.sections.getExtent()!);
+  }
+  private fitted_to = '';
+
   show_job(job: JobMap | null, by: ColourBy, probability: object | null): void {
     for (const source of Object.values(this.sources)) source.clear(true);
     if (!job) return;
@@ -188,6 +207,7 @@ export class MapView {
     this.names = job.sections.name;
     this.sources.sections.addFeatures(job.sections.trace.map((trace, i) =>
       new Feature<Geometry>({geometry: new LineString(trace), pick: this.names[i], i})));
+    this.fit_to_job(job);
     this.sources.release.addFeatures(polygons_of(job.release_zones));
     this.sources.runout.addFeatures(polygons_of(job.runout_zones));
     if (probability && this.projection) {
@@ -205,6 +225,7 @@ export class MapView {
   show_side(side: 'draft' | 'job'): void {
     for (const layer of this.job_layers) layer.setVisible(side === 'job' && !this.hidden.has(layer));
     for (const layer of this.draft_layers) layer.setVisible(side === 'draft');
+    this.modify.setActive(side === 'draft');
     this.side = side;
     this.choose(null);
   }

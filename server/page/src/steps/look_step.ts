@@ -102,7 +102,7 @@ function section_rows(filter: string, count: number): {rows: HTMLElement[]; left
   const rows = found.slice(0, count).map((i) => h('tr', {class: state.section?.name === sections.name[i] ? 'chosen' : ''},
     h('td', {}, h('button', {type: 'button', class: 'link', 'data-section': sections.name[i],
       onclick: () => void open_section(sections.name[i]!)}, sections.name[i]!)),
-    h('td', {}, swatch(of[i]!.colour), status_word(sections.status[i]!)),
+    h('td', {}, swatch(of[i]!.colour), h('span', {title: status_word(sections.status[i]!)}, status_word(sections.status[i]!))),
     h('td', {class: 'number'}, sections.retrogression_m[i] === null ? '–' : bound(sections.retrogression_is[i]) + show(sections.retrogression_m[i])),
     h('td', {class: 'number'}, sections.runout_m[i] === null ? '–' : bound(sections.runout_is[i]) + show(sections.runout_m[i]))));
   return {rows, left: found.length - rows.length};
@@ -141,7 +141,7 @@ export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElem
     count += 5 * rows_at_once;
     show_table();
   }});
-  const table = h('table', {}, h('thead', {}, h('tr', {}, [t('section'), t('status'), `${t('retrogression')}, m`, `${t('runout')}, m`]
+  const table = h('table', {class: 'sections'}, h('thead', {}, h('tr', {}, [t('section'), t('status'), `${t('retrogression')}, m`, `${t('runout')}, m`]
     .map((word) => h('th', {scope: 'col'}, word)))), body);
   const show_table = () => {
     if (!state.job) return;
@@ -163,6 +163,11 @@ export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElem
     void study_picture(study).catch((error) => report.problem(error));
   });
   on('section', show_table);
+  // The newest job shows by itself: it is what one comes for.
+  on('step', () => {
+    const newest = state.jobs[0];
+    if (state.step === 'look' && !state.job && newest) void show_job(newest.jobID).catch((error) => report.problem(error));
+  });
   show_jobs();
   show_sections();
   return h('section', {}, h('h2', {}, t('jobs')), report.element, jobs, study, table_box);
