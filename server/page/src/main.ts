@@ -56,7 +56,7 @@ function step_box(step: Step, content: HTMLElement): HTMLElement {
 
 function start(): void {
   document.documentElement.lang = spoken();
-  const map_box = h('div', {class: 'map', tabindex: 0, 'aria-label': t('report_map'), role: 'region'});
+  const map_box = h('div', {class: 'map', tabindex: 0, 'aria-label': t('report_map'), role: 'application'});
   const stage = h('div', {class: 'stage', hidden: true});
   const map = new MapView(map_box);
   const colour = {by: 'status' as ColourBy, changed: () => {
@@ -80,7 +80,7 @@ function start(): void {
   fill(document.body,
     h('header', {}, h('h1', {}, t('title')), step_list(), h('div', {class: 'row'}, token_button(), language_button())),
     banner.element, main,
-    h('div', {class: 'view'}, map_box, key.element, readout(map), stage, section_panel()));
+    h('section', {class: 'view', 'aria-label': t('report_map')}, map_box, key.element, readout(map), stage, section_panel()));
   map.map.setTarget(map_box);
 
   map.on_pick = (name) => {

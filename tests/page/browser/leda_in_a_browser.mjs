@@ -22,12 +22,12 @@ export const large = {width: 1280, height: 800};
 export const small = {width: 700, height: 900};
 
 export class Server {
-  constructor({tokens = false} = {}) {
+  constructor({tokens = false, options = []} = {}) {
     this.folder = mkdtempSync(join(tmpdir(), 'leda-page-'));
     this.data = join(this.folder, 'data');
     this.dem = join(this.folder, 'sainte-monique.tif');
     assert.equal(spawnSync(write_demo_dem, [this.dem]).status, 0);
-    this.arguments = ['serve', '--data', this.data, '--workers', '2'];
+    this.arguments = ['serve', '--data', this.data, '--workers', '2', ...options];
     this.token = '';
     if (tokens) {
       const file = join(this.folder, 'tokens');
@@ -69,11 +69,23 @@ export class Server {
   }
 
   async ask(method, path, body, type = 'application/json') {
-    const headers = {'Content-Type': type};
+    const headers = body ? {'Content-Type': type} : {};
     if (this.token) headers.Authorization = `Bearer ${this.token}`;
     const answer = await fetch(this.url + path, {method, headers, body});
     assert.ok(answer.ok, `${method} ${path}: ${answer.status} ${answer.ok ? '' : await answer.text()}`);
     return answer.json();
+  }
+
+  /** Runs a region to its end. @return the job's id */
+  async run(request) {
+    const {jobID} = await this.ask('POST', '/processes/map-region/execution', JSON.stringify(request));
+    for (let i = 0; i < 600; ++i) {
+      const {status, message} = await this.ask('GET', `/jobs/${jobID}`);
+      if (status === 'successful') return jobID;
+      assert.ok(['accepted', 'running'].includes(status), message);
+      await new Promise((done) => setTimeout(done, 200));
+    }
+    throw new Error(`job ${jobID} did not end`);
   }
 }
 

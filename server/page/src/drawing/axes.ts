@@ -18,7 +18,7 @@ export function ticks(from: number, to: number, count: number): number[] {
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map((n) => n * power).find((n) => n >= raw)!;
   const list: number[] = [];
-  for (let i = Math.ceil(from / step); i * step <= to + step * 1e-9; ++i) list.push(i * step);
+  for (let i = Math.ceil(from / step); i * step <= to + step * 1e-9; ++i) list.push(i * step + 0);
   return list;
 }
 

@@ -57,7 +57,7 @@ export function profile_svg(side: Side, frame: Frame, drag?: Drag): SVGSVGElemen
     line.length ? `${path(line)}L${x(line[line.length - 1]![0]).toFixed(1)} ${z(z0)}L${x(line[0]![0]).toFixed(1)} ${z(z0)}Z` : '';
 
   const svg = s('svg', {
-    class: 'profile', viewBox: `0 0 ${width} ${height}`, width, height, role: 'img', 'aria-label': t('profile'),
+    class: 'profile', viewBox: `0 0 ${width} ${height}`, width, height, role: drag ? 'group' : 'img', 'aria-label': t('profile'),
     'font-family': 'system-ui, sans-serif', 'font-size': 11,
   });
   grid(svg, frame, {x, z});

@@ -138,7 +138,7 @@ export class SchemaForm {
     const box: HTMLElement = plain.type === 'object'
       ? h('fieldset', {'data-pointer': pointer}, h('legend', {}, label_of(name), ' ', variants.length > 1 ? kinds : null, ' ', remove),
         this.members(plain, (value_at(place) ?? {}) as JsonObject, pointer))
-      : this.value(name, plain, place, pointer, h('span', {}, kinds, remove));
+      : this.value(name, plain, place, pointer, h('span', {class: 'kinds'}, kinds, remove));
     return box;
   }
 

@@ -71,7 +71,7 @@ function tab_content(tab: Tab, section: SectionDetail, job: string): HTMLElement
       const deepest = Math.min(z[0], ...(section.profile_after ?? section.profile_before).map((p: XY) => p[1] - 8));
       return animation(address, {x, z: [deepest, z[1]]});
     }
-    case 'numbers': return h('div', {}, facts(number_rows(section)), h('h4', {}, t('warnings')), warnings(section.warnings),
+    case 'numbers': return h('div', {}, facts(number_rows(section)), h('h3', {}, t('warnings')), warnings(section.warnings),
       h('div', {class: 'row'}, button('download_json', () =>
         save(new Blob([JSON.stringify(section, null, 2)], {type: 'application/json'}), `${section.name}.json`))));
     case 'screening': return section.screening ? facts(as_rows(section.screening)) : h('p', {class: 'quiet'}, t('none'));
@@ -119,7 +119,7 @@ export function section_panel(): HTMLElement {
     next.click();
     next.focus();
   }}, t(name)));
-  const panel = h('aside', {class: 'panel', hidden: true, 'aria-label': t('section')},
+  const panel = h('section', {class: 'panel', hidden: true, 'aria-label': t('section')},
     h('div', {class: 'row head'}, title, h('div', {role: 'tablist', class: 'tabs'}, buttons),
       h('button', {type: 'button', class: 'small', 'aria-label': t('close'), onclick: () => void open_section(null)}, '×')), content);
 

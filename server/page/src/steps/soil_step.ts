@@ -200,15 +200,17 @@ function curve_of(name: string, material: JsonObject, cell_m: number | undefined
   const peak = typeof material.peak_strength_kPa === 'number' ? material.peak_strength_kPa : first_row(material.peak_strength_kPa);
   const measured = softening_curve(law, peak);
   const box = h('div', {class: 'curve'});
-  const figure = h('details', {open: open_curves.has(name)}, h('summary', {}, t('curve', {material: name})), box);
+  const figure = h('details', {open: open_curves.has(name)}, h('summary', {onclick: () => {
+    if (figure.open) open_curves.delete(name);
+    else open_curves.add(name);
+  }}, t('curve', {material: name})), box);
   if (!measured) {
     box.append(h('p', {class: 'quiet'}, t('curve_missing')));
     return figure;
   }
   const scaled = cell_m === undefined ? null : softening_curve(law, peak, cell_m);
   figure.addEventListener('toggle', () => {
-    if (!figure.open) return void open_curves.delete(name);
-    open_curves.add(name);
+    if (!figure.open) return;
     const last = last_strain(measured);
     // Close together at the start, where the strength falls.
     const x = Array.from({length: 200}, (_, i) => last * (i / 199) ** 3);
