@@ -57,6 +57,35 @@ TEST(ResultFile, FramesComeBackWhole) {
   for (std::size_t i = 0; i < 3; ++i) expect_equal(back[i], frames[i]);
 }
 
+TEST(ResultFile, APartHasTheFramesAndFieldsThatWereAskedFor) {
+  const ScratchFolder folder;
+  const std::vector<Frame> frames = {frame(0, 50), frame(0.5, 60), frame(1.25, 40)};
+  write(folder / "fields.h5", frames);
+  const auto part = read_frames(folder / "fields.h5", {1, 2, 1000, {"x", "strength"}, true});
+  EXPECT_EQ(part.times_s, (std::vector<double>{0, 0.5, 1.25}));
+  EXPECT_EQ(part.materials.size(), 3U);
+  ASSERT_EQ(part.frames.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(part.frames[i].time_s, frames[i + 1].time_s);
+    EXPECT_EQ(part.frames[i].x, frames[i + 1].x);
+    EXPECT_EQ(part.frames[i].strength, frames[i + 1].strength);
+    EXPECT_EQ(part.frames[i].material, frames[i + 1].material);
+    EXPECT_TRUE(part.frames[i].z.empty());
+  }
+}
+
+TEST(ResultFile, APartEndsAtTheMostParticlesAndAtTheEndOfTheFile) {
+  const ScratchFolder folder;
+  write(folder / "fields.h5", {frame(0, 50), frame(1, 50), frame(2, 50)});
+  const auto frames_of = [&](std::size_t first, std::size_t count, std::size_t most) {
+    return read_frames(folder / "fields.h5", {first, count, most, {"x"}, false}).frames.size();
+  };
+  EXPECT_EQ(frames_of(0, 3, 100), 2U);
+  EXPECT_EQ(frames_of(0, 3, 10), 1U) << "one, however large";
+  EXPECT_EQ(frames_of(2, 3, 1000), 1U);
+  EXPECT_EQ(frames_of(3, 3, 1000), 0U);
+}
+
 TEST(ResultFile, TheSameFramesGiveTheSameBytesAtAnotherTime) {
   const ScratchFolder folder;
   const std::vector<Frame> frames = {frame(0, 50), frame(0.5, 50)};

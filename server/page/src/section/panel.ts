@@ -108,7 +108,7 @@ export function section_panel(): HTMLElement {
   let tab: Tab = 'profile';
   let shown = '';
   const title = h('h2', {});
-  const content = h('div', {class: 'content', role: 'tabpanel', id: 'section-content'});
+  const content = h('div', {class: 'content', role: 'tabpanel', id: 'section-content', tabindex: 0});
   const buttons = tabs.map((name) => h('button', {type: 'button', role: 'tab', id: `tab-${name}`, 'aria-controls': 'section-content', onclick: () => {
     tab = name;
     draw();
