@@ -39,10 +39,11 @@ const std::map<std::string, Doors>& inner_rooms() {
        {{"operate", {}},
         {"documents", {}},
         {"drawings", {"documents"}},
+        {"page", {}},
         {"run", {"documents", "operate"}},
         {"layers", {"run", "documents", "drawings", "operate"}},
         {"jobs", {"layers", "run", "documents", "drawings", "operate"}},
-        {"http", {"jobs", "layers", "run", "documents", "drawings", "operate"}},
+        {"http", {"jobs", "layers", "run", "documents", "drawings", "operate", "page"}},
         {"commands", {"http", "jobs", "layers", "run", "documents", "drawings", "operate"}}}}};
   return rooms;
 }
