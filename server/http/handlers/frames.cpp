@@ -132,9 +132,9 @@ std::filesystem::path fields_file(const Service& service, const Call& call) {
 
 Answer get_frames(Site& site, const Call& call) {
   const Drawn drawn = drawn_of(call);
-  const auto file = fields_file(site.service, call);
   const auto first = static_cast<std::size_t>(whole_number(call, "first", 0, 0, 1'000'000));
   const auto count = static_cast<std::size_t>(whole_number(call, "count", 20, 1, most_frames));
+  const auto file = fields_file(site.service, call);
   const db::Turns::Turn turn(site.pages);
   db::FrameWindow window{first, count, most_particles, {"x", "z"}, drawn.name == "material"};
   window.fields.insert(window.fields.end(), drawn.fields.begin(), drawn.fields.end());

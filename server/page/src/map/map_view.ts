@@ -1,6 +1,6 @@
 // The map: hillshade, what is drawn, and a job's sections and zones.
 
-import Feature from 'ol/Feature';
+import Feature, {type FeatureLike} from 'ol/Feature';
 import OlMap from 'ol/Map';
 import View from 'ol/View';
 import {defaults as default_controls} from 'ol/control/defaults';
@@ -16,6 +16,7 @@ import Draw from 'ol/interaction/Draw';
 import {defaults as default_interactions} from 'ol/interaction/defaults';
 import Modify from 'ol/interaction/Modify';
 import ImageLayer from 'ol/layer/Image';
+import VectorImageLayer from 'ol/layer/VectorImage';
 import VectorLayer from 'ol/layer/Vector';
 import type Projection from 'ol/proj/Projection';
 import ImageStatic from 'ol/source/ImageStatic';
@@ -40,6 +41,11 @@ export interface Drawn {
   points: XY[];
 }
 
+type Layer = VectorLayer | VectorImageLayer | ImageLayer<ImageStatic>;
+
+/** More sections are drawn into a picture that is moved, and drawn anew when the map has come to rest. */
+const most_drawn_in_motion = 1500;
+
 /** Names show while they have room: few sections, or a close look. */
 const most_names = 60;
 
@@ -58,8 +64,9 @@ export class MapView {
   private readonly modify = new Modify({source: this.drawn as VectorSource});
   private readonly laid: Source = new VectorSource();
   private readonly chosen: Source = new VectorSource();
-  private readonly layers = new Map<LayerName, VectorLayer | ImageLayer<ImageStatic>>();
-  private readonly job_layers: VectorLayer[];
+  private readonly layers = new Map<LayerName, Layer>();
+  private readonly many_sections: VectorImageLayer;
+  private readonly job_layers: Layer[];
   private readonly draft_layers: VectorLayer[];
   private projection: Projection | undefined;
   private raster_id = '';
@@ -75,16 +82,13 @@ export class MapView {
 
   constructor(target: HTMLElement) {
     const styles = new SectionStyles();
-    const sections = new VectorLayer({
-      source: this.sources.sections,
-      style: (feature, resolution) => {
-        const i = feature.get('i') as number;
-        const named = this.names.length <= most_names || resolution < 0.5;
-        return styles.of(this.colours[i]!, named ? this.names[i]! : null);
-      },
-      declutter: true,
-      updateWhileInteracting: false,
-    });
+    const of_section = (feature: FeatureLike, resolution: number) => {
+      const i = feature.get('i') as number;
+      const named = this.names.length <= most_names || resolution < 0.2;
+      return styles.of(this.colours[i]!, named ? this.names[i]! : null);
+    };
+    const sections = new VectorLayer({source: this.sources.sections, style: of_section, declutter: true});
+    this.many_sections = new VectorImageLayer({style: of_section, declutter: true, imageRatio: 1.5});
     const zones = (kind: 'release' | 'runout') => new VectorLayer({source: this.sources[kind], style: zone_styles[kind]});
     const probability = new VectorLayer({
       source: this.sources.probability,
@@ -92,7 +96,7 @@ export class MapView {
     });
     this.layers.set('hillshade', this.hillshade).set('release', zones('release')).set('runout', zones('runout'))
       .set('probability', probability).set('sections', sections);
-    this.job_layers = [...this.layers.values()].filter((layer): layer is VectorLayer => layer !== this.hillshade);
+    this.job_layers = [...this.layers.values()].filter((layer) => layer !== this.hillshade);
     const laid = new VectorLayer({
       source: this.laid, style: (feature) => (feature.get('reason') ? left_out_style : laid_style),
     });
@@ -104,7 +108,7 @@ export class MapView {
       // A double click ends a line that is drawn.
       interactions: default_interactions({doubleClickZoom: false, altShiftDragRotate: false, pinchRotate: false}),
       layers: [
-        ...this.layers.values(), laid, drawn,
+        ...this.layers.values(), this.many_sections, laid, drawn,
         new VectorLayer({source: this.chosen, style: (feature) => feature.get('style') ?? chosen_style}),
       ],
     });
@@ -207,6 +211,9 @@ export class MapView {
     this.names = job.sections.name;
     this.sources.sections.addFeatures(job.sections.trace.map((trace, i) =>
       new Feature<Geometry>({geometry: new LineString(trace), pick: this.names[i], i})));
+    const many = this.names.length > most_drawn_in_motion;
+    (this.layers.get('sections') as VectorLayer).setSource(many ? null : this.sources.sections);
+    this.many_sections.setSource(many ? this.sources.sections : null);
     this.fit_to_job(job);
     this.sources.release.addFeatures(polygons_of(job.release_zones));
     this.sources.runout.addFeatures(polygons_of(job.runout_zones));
@@ -218,13 +225,14 @@ export class MapView {
 
   recolour(job: JobMap, by: ColourBy): void {
     this.colours = colour_sections(job, by).of;
-    this.layers.get('sections')!.changed();
+    this.sources.sections.changed();
   }
 
   /** A job's layers, or what is drawn for the next one. */
   show_side(side: 'draft' | 'job'): void {
     for (const layer of this.job_layers) layer.setVisible(side === 'job' && !this.hidden.has(layer));
     for (const layer of this.draft_layers) layer.setVisible(side === 'draft');
+    this.many_sections.setVisible(this.layers.get('sections')!.getVisible());
     this.modify.setActive(side === 'draft');
     this.side = side;
     this.choose(null);
@@ -237,6 +245,7 @@ export class MapView {
     if (visible) this.hidden.delete(layer);
     else this.hidden.add(layer);
     layer.setVisible(visible && (layer === this.hillshade || this.side === 'job'));
+    this.many_sections.setVisible(this.layers.get('sections')!.getVisible());
   }
 
   /** Marks a trace, with points of its crest and toe. */
