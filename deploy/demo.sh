@@ -1,11 +1,17 @@
 #!/usr/bin/env bash
 # The demo: from a DEM to zones on a map, over HTTP, on a reconstruction of Sainte-Monique.
-#   deploy/demo.sh          results in demo-out/
-#   deploy/demo.sh FOLDER   results there
+#   deploy/demo.sh                   results in demo-out/
+#   deploy/demo.sh FOLDER            results there
+#   deploy/demo.sh --stay [FOLDER]   the same, and serves on until Ctrl-C, with the map page
 # Installs what is missing, builds, and ends by itself. FOLDER is made anew each time.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+stay=
+if [[ ${1:-} == --stay ]]; then
+  stay=1
+  shift
+fi
 out=${1:-demo-out}
 deploy/install.sh
 cmake --preset release
@@ -102,3 +108,9 @@ curl -fsS -o "$out/zones.geojson" "$url/jobs/$job/export?f=geojson"
 echo
 echo "Zones:   $out/zones.gpkg and $out/zones.geojson (open them in QGIS)"
 echo "Data:    $out/data, served again by: $leda serve --data $out/data"
+if [[ -n $stay ]]; then
+  echo "Map:     open $url in a browser; Ctrl-C ends the server"
+  wait "$server"
+else
+  echo "Map:     then open http://127.0.0.1:8080 in a browser; or deploy/demo.sh --stay serves on by itself"
+fi
