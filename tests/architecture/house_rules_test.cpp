@@ -215,6 +215,15 @@ TEST(HouseRules, AMachinePathIsNoticed) {
   }
 }
 
+TEST(HouseRules, ALongLineOfTheMapPageIsNoticed) {
+  const std::string long_line = "first\n" + std::string(131, 'x') + "\n";
+  const auto found = long_lines(with("server/page/src/main.ts", long_line));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].line, 2);
+  EXPECT_TRUE(long_lines(with("server/page/src/words.ts", long_line)).empty());
+  EXPECT_TRUE(long_lines(with("README.md", long_line)).empty());
+}
+
 TEST(HouseRules, ATreeIsReadFromTheDiskWithoutBuilds) {
   const auto root = std::filesystem::path(::testing::TempDir()) / "leda-made-up-tree";
   std::filesystem::remove_all(root);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -28,6 +29,25 @@ std::vector<Breach> machine_paths(const SourceTree& tree) {
     std::string line;
     for (int number = 1; std::getline(lines, line); ++number)
       if (std::regex_search(line, path)) found.push_back({file, number, "a machine path: " + line});
+  }
+  return found;
+}
+
+std::vector<Breach> long_lines(const SourceTree& tree) {
+  constexpr std::size_t most = 130;
+  std::vector<Breach> found;
+  for (const auto& [file, text] : tree) {
+    if (!(file.ends_with(".ts") || file.ends_with(".mjs")) || file.ends_with("/words.ts")) continue;
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+      // Continuation bytes of UTF-8 are no characters.
+      const auto characters = std::count_if(line.begin(), line.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+      });
+      if (static_cast<std::size_t>(characters) > most)
+        found.push_back({file, number, "a long line"});
+    }
   }
   return found;
 }

@@ -14,7 +14,8 @@ export async function load_rasters(): Promise<void> {
   state.rasters = (await get<{rasters: Raster[]}>('rasters')).rasters;
   if (!state.raster) {
     const wanted = state.draft.dem;
-    const known = state.rasters.find(({id, name}) => id === wanted || name === wanted) ?? (wanted ? undefined : state.rasters[0]);
+    const named = state.rasters.find(({id, name}) => id === wanted || name === wanted);
+    const known = wanted ? named : state.rasters[0];
     if (known) use_raster(known);
   }
   tell('rasters');

@@ -8,7 +8,8 @@ import type {ColourBy} from './colours';
 import {fill, h} from './dom';
 import {MapView} from './map/map_view';
 import {section_panel} from './section/panel';
-import {ask_for_token, connection_banner, language_button, legend, readout, step_list, step_word, token_button} from './shell';
+import {ask_for_token, connection_banner, language_button, legend, readout, step_list, step_word,
+  token_button} from './shell';
 import {type Step, on, state, steps, tell} from './state';
 import {open_section} from './actions';
 import {compare_step} from './steps/compare_step';
@@ -49,7 +50,8 @@ class Probability {
 function step_box(step: Step, content: HTMLElement): HTMLElement {
   const next = steps[steps.indexOf(step) + 1];
   const box = h('div', {class: 'step', 'data-step': step}, content,
-    next && steps.indexOf(step) < 3 ? h('p', {class: 'next'}, h('button', {type: 'button', onclick: () => go(next)}, t('next', {step: step_word(next)}))) : null);
+    next && steps.indexOf(step) < 3 ? h('p', {class: 'next'}, h('button', {type: 'button', onclick: () => go(next)},
+      t('next', {step: step_word(next)}))) : null);
   on('step', () => (box.hidden = state.step !== step));
   return box;
 }
@@ -80,7 +82,8 @@ function start(): void {
   fill(document.body,
     h('header', {}, h('h1', {}, t('title')), step_list(), h('div', {class: 'row'}, token_button(), language_button())),
     banner.element, main,
-    h('section', {class: 'view', 'aria-label': t('report_map')}, map_box, key.element, readout(map), stage, section_panel()));
+    h('section', {class: 'view', 'aria-label': t('report_map')}, map_box, key.element, readout(map), stage,
+      section_panel()));
   map.map.setTarget(map_box);
 
   map.on_pick = (name) => {

@@ -28,7 +28,8 @@ export function escape(value: unknown): string {
 }
 
 function table(head: readonly string[], rows: readonly (readonly string[])[]): string {
-  const cell = (text: string) => (/^(≥ )?[-+–]?[\d\s.,\u00a0\u202f]*( m| s)?$/.test(text) ? `<td class="n">${text}</td>` : `<td>${text}</td>`);
+  const cell = (text: string) => (/^(≥ )?[-+–]?[\d\s.,\u00a0\u202f]*( m| s)?$/.test(text) ? `<td class="n">${text}</td>`
+    : `<td>${text}</td>`);
   return `<table><thead><tr>${head.map((one) => `<th>${escape(one)}</th>`).join('')}</tr></thead>
 <tbody>${rows.map((row) => `<tr>${row.map(cell).join('')}</tr>`).join('\n')}</tbody></table>`;
 }
@@ -41,7 +42,8 @@ function facts(rows: readonly (readonly [string, string | null])[]): string {
 function section_table(job: JobMap): string {
   const {sections} = job;
   const {of} = colour_sections(job, 'status');
-  return table([t('section'), t('status'), `${t('retrogression')}, m`, `${t('runout')}, m`, `${t('run_time')}, s`, t('warnings')],
+  return table([t('section'), t('status'), `${t('retrogression')}, m`, `${t('runout')}, m`, `${t('run_time')}, s`,
+    t('warnings')],
     sections.name.map((name, i) => [
       escape(name),
       `<span class="box" style="background:${of[i]!.colour}"></span>${escape(status_word(sections.status[i]!))}`,
@@ -76,12 +78,14 @@ export async function make_report(job: JobMap, raster: Raster | null, map: strin
     progress(articles.length, names.length);
   }
   const title = t('report_title', {name: job.name || job.job});
-  const more = job.sections.name.length > names.length ? `<p>${escape(t('report_only', {count: names.length}))}</p>` : '';
+  const more = job.sections.name.length > names.length ? `<p>${escape(t('report_only', {count: names.length}))}</p>`
+    : '';
   return `<!doctype html>
 <html lang="${spoken()}"><head><meta charset="utf-8"><title>${escape(title)}</title><style>${style}</style></head><body>
 <h1>${escape(title)}</h1>
 <p class="scope">${escape(t('report_scope'))}</p>
-${facts([[t('job'), job.job], [t('status'), `${t(job.status)}: ${job.message}`], [t('report_made'), new Date().toLocaleString()],
+${facts([[t('job'), job.job], [t('status'), `${t(job.status)}: ${job.message}`], [t('report_made'),
+  new Date().toLocaleString()],
     [t('step_dem'), raster ? `${raster.name}, ${raster.crs}` : null]])}
 <h2>${escape(t('report_map'))}</h2><img src="${map}" alt="${escape(t('report_map'))}">
 <h2>${escape(t('report_zones'))}</h2>${zone_table(job)}

@@ -38,7 +38,8 @@ export function language_button(): HTMLElement {
 }
 
 export function token_button(): HTMLElement {
-  return h('button', {type: 'button', id: 'forget-token', hidden: sessionStorage.getItem('leda-token') === null, onclick: () => {
+  return h('button', {type: 'button', id: 'forget-token', hidden: sessionStorage.getItem('leda-token') === null,
+    onclick: () => {
     forget_token();
     location.reload();
   }}, t('forget_token'));
@@ -47,7 +48,8 @@ export function token_button(): HTMLElement {
 /** Switches of the layers, and what the colours of the sections mean. */
 export function legend(map: MapView, colour: {by: ColourBy}): {element: HTMLElement; draw: () => void} {
   const layer_names: readonly (readonly [LayerName, Word, string | null])[] = [
-    ['sections', 'layer_sections', null], ['release', 'layer_release', '#d55e00'], ['runout', 'layer_runout', '#0072b2'],
+    ['sections', 'layer_sections', null], ['release', 'layer_release', '#d55e00'], ['runout', 'layer_runout',
+      '#0072b2'],
     ['probability', 'layer_probability', '#440154'], ['hillshade', 'layer_hillshade', null],
   ];
   const off = new Set<LayerName>();
@@ -93,8 +95,10 @@ export function readout(map: MapView): HTMLElement {
       ground.textContent = t('outside');
       return;
     }
-    const answer = await get<{elevation_m: number | null}>(`rasters/${raster.id}/elevation?at=${at[0]},${at[1]}`).catch(() => null);
-    ground.textContent = !answer ? '' : answer.elevation_m === null ? t('no_data_here') : `${t('elevation')} ${show(answer.elevation_m, 2)} m`;
+    const answer = await get<{elevation_m: number | null}>(`rasters/${raster.id}/elevation?at=${at[0]},${at[1]}`).catch(
+      () => null);
+    ground.textContent = !answer ? '' : answer.elevation_m === null ? t('no_data_here')
+      : `${t('elevation')} ${show(answer.elevation_m, 2)} m`;
   });
   map.on_pointer = (at, degrees) => {
     box.hidden = at === null;
@@ -109,8 +113,10 @@ export function readout(map: MapView): HTMLElement {
 /** Asks for a token, above everything else. */
 export function ask_for_token(refused: boolean): Promise<string> {
   return new Promise((done) => {
-    const input = h('input', {type: 'password', id: 'token', autocomplete: 'off', required: true, 'aria-describedby': 'token-why'});
-    const dialog = h('dialog', {class: 'token', 'aria-labelledby': 'token-title', oncancel: (event: Event) => event.preventDefault()},
+    const input = h('input', {type: 'password', id: 'token', autocomplete: 'off', required: true,
+      'aria-describedby': 'token-why'});
+    const dialog = h('dialog', {class: 'token', 'aria-labelledby': 'token-title',
+      oncancel: (event: Event) => event.preventDefault()},
       h('form', {onsubmit: (event: Event) => {
         event.preventDefault();
         if (!input.value.trim()) return;

@@ -39,7 +39,7 @@ const en = {
   reset_bank: 'As the server finds them', need_dem: 'Choose the ground first.', pick_section: 'Look at',
 
   soil_intro: 'What the ground is made of, top down. Start from a site of the thesis and change what you know better.',
-  preset: 'Start from', preset_apply: 'Take over', preset_asked: 'This replaces the soil typed below.',
+  preset: 'Start from', preset_apply: 'Use this soil', preset_asked: 'This replaces the soil typed below.',
   soil_model: 'Soil', soil_models: 'Soils and where they apply', region_draw: 'Draw its area', region_count: '{count} areas',
   everywhere: 'everywhere else', region_clear: 'Remove areas', model_add: 'Another soil for a part of the map',
   curve: 'Softening of {material}', curve_measured: 'as measured', curve_cell: 'in a cell of {cell} m',
@@ -160,7 +160,7 @@ const fr: Record<Word, string> = {
   reset_bank: 'Comme le serveur les trouve', need_dem: 'Choisissez d’abord le terrain.', pick_section: 'Regarder',
 
   soil_intro: 'De quoi le sol est fait, de haut en bas. Partez d’un site de la thèse et changez ce que vous savez mieux.',
-  preset: 'Partir de', preset_apply: 'Reprendre', preset_asked: 'Ceci remplace le sol saisi ci-dessous.',
+  preset: 'Partir de', preset_apply: 'Prendre ce sol', preset_asked: 'Ceci remplace le sol saisi ci-dessous.',
   soil_model: 'Sol', soil_models: 'Sols et où ils valent', region_draw: 'Dessiner son aire', region_count: '{count} aires',
   everywhere: 'partout ailleurs', region_clear: 'Retirer les aires', model_add: 'Un autre sol pour une partie de la carte',
   curve: 'Radoucissement de {material}', curve_measured: 'mesuré', curve_cell: 'dans une maille de {cell} m',

@@ -106,7 +106,8 @@ export class Browser {
     browser.page.on('pageerror', (error) => browser.said.push(`uncaught: ${error.stack}`));
     browser.page.on('request', (request) => {
       const url = new URL(request.url());
-      if (url.protocol !== 'blob:' && url.protocol !== 'data:' && url.hostname !== '127.0.0.1') browser.foreign.push(request.url());
+      if (url.protocol !== 'blob:' && url.protocol !== 'data:' &&
+        url.hostname !== '127.0.0.1') browser.foreign.push(request.url());
     });
     return browser;
   }

@@ -63,7 +63,8 @@ async function draw(browser) {
   const before = await page.getAttribute('svg .handle[aria-label=crest]', 'aria-valuenow');
   await page.keyboard.press('Shift+ArrowLeft');
   await page.waitForFunction((was) =>
-    Math.abs(Number(document.querySelector('svg .handle[aria-label=crest]')?.getAttribute('aria-valuenow')) - (was - 10)) < 0.5, Number(before));
+    Math.abs(Number(document.querySelector('svg .handle[aria-label=crest]')?.getAttribute('aria-valuenow')) - (
+      was - 10)) < 0.5, Number(before));
   await page.click('text="As the server finds them"');
   await browser.picture('draw');
 }
@@ -73,7 +74,7 @@ async function describe_the_soil(browser) {
   await browser.step('soil');
   await page.waitForSelector('.step[data-step=soil] fieldset.model');
   await page.selectOption('select[aria-label="Start from"]', {label: 'Sainte-Monique'});
-  await page.click('text="Take over"');
+  await page.click('text="Use this soil"');
   await page.click('summary:has-text("Softening of S1")');
   await page.waitForSelector('.curve canvas');
   await page.fill('[data-pointer="/inputs/resolution/cell_m"] input', '2');
@@ -95,7 +96,8 @@ async function run(browser) {
   assert.match(await page.textContent('.step[data-step=run] .facts'), /Core-hours/);
   await browser.picture('run');
   await page.click('text="Submit"');
-  await page.waitForFunction(() => /finished/.test(document.querySelector('.jobs .card.chosen')?.textContent ?? ''), null, {timeout: 120_000});
+  await page.waitForFunction(() => /finished/.test(document.querySelector('.jobs .card.chosen')?.textContent ?? ''),
+    null, {timeout: 120_000});
 }
 
 async function look(browser) {

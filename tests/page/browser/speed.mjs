@@ -66,10 +66,13 @@ const pauses = await page.evaluate(() => {
 });
 await browser.program.stopTracing();
 const {traceEvents} = JSON.parse(readFileSync(file, 'utf8'));
-const names = new Map(traceEvents.filter((e) => e.name === 'thread_name').map((e) => [`${e.pid} ${e.tid}`, e.args.name]));
-const tasks = traceEvents.filter((e) => /RunTask$/.test(e.name) && e.dur && names.get(`${e.pid} ${e.tid}`) === 'CrRendererMain')
+const names = new Map(traceEvents.filter((e) => e.name === 'thread_name').map((e) => [`${e.pid} ${e.tid}`,
+  e.args.name]));
+const tasks = traceEvents.filter((e) => /RunTask$/.test(e.name) && e.dur &&
+  names.get(`${e.pid} ${e.tid}`) === 'CrRendererMain')
   .map((e) => e.dur / 1000);
 const above = (list, limit) => list.filter((one) => one > limit).length;
-console.log(`tasks of the main thread: ${tasks.length}, ${above(tasks, 16.7)} above 16.7 ms, ${above(tasks, 50)} above 50 ms, longest ${Math.round(Math.max(...tasks))} ms`);
-console.log(`frames: ${pauses.length}, middle pause ${middle(pauses).toFixed(1)} ms, ${above(pauses, 50)} above 50 ms, longest ${Math.round(Math.max(...pauses))} ms`);
+const of = (list) => `${above(list, 50)} above 50 ms, longest ${Math.round(Math.max(...list))} ms`;
+console.log(`tasks of the main thread: ${tasks.length}, ${above(tasks, 16.7)} above 16.7 ms, ${of(tasks)}`);
+console.log(`frames: ${pauses.length}, middle pause ${middle(pauses).toFixed(1)} ms, ${of(pauses)}`);
 await browser.close();

@@ -42,7 +42,8 @@ before(async () => {
 });
 after(() => server.end());
 
-test('faults stand at their fields, and are counted at their steps', () => with_browser(server, async (browser, page) => {
+test('faults stand at their fields, and are counted at their steps', () => with_browser(server, async (browser,
+  page) => {
   const wrong = copy(region);
   wrong.inputs.soil.materials.S1.poisson_ratio = 0.7;
   wrong.inputs.sections[0].name = "BB'";
@@ -81,7 +82,8 @@ test('a line outside the DEM is refused at its points', () => with_browser(serve
   browser.expect_silence(/status of 400/);
 }));
 
-test('a file that is no DEM, and one that is no request, say what to do', () => with_browser(server, async (browser, page) => {
+test('a file that is no DEM, and one that is no request, say what to do', () => with_browser(server, async (browser,
+  page) => {
   const file = join(server.folder, 'notes.txt');
   writeFileSync(file, 'no raster at all');
   await page.setInputFiles('.drop input[type=file]', file);
@@ -104,7 +106,8 @@ test('an upload that loses its connection can be sent again', () => with_browser
   browser.expect_silence(/ERR_CONNECTION_RESET/);
 }));
 
-test('a job is watched over a restart of the server', {timeout: 120_000}, () => with_browser(server, async (browser, page) => {
+test('a job is watched over a restart of the server', {timeout: 120_000}, () => with_browser(server, async (browser,
+  page) => {
   const long = copy(region);
   long.inputs.resolution.cell_m = 0.6;
   long.inputs.output = {frame_interval_s: 1};
@@ -124,7 +127,8 @@ test('a job is watched over a restart of the server', {timeout: 120_000}, () => 
   await page.waitForFunction(() => /running/.test(document.querySelector('.jobs .card.chosen')?.textContent ?? ''));
   await page.click('text="Cancel"');
   await page.waitForFunction(() => /cancelled/.test(document.querySelector('.jobs .card.chosen')?.textContent ?? ''));
-  browser.expect_silence(/ERR_CONNECTION_REFUSED/, /ERR_INCOMPLETE_CHUNKED_ENCODING/, /ERR_EMPTY_RESPONSE/, /ERR_CONNECTION_RESET/);
+  browser.expect_silence(/ERR_CONNECTION_REFUSED/, /ERR_INCOMPLETE_CHUNKED_ENCODING/, /ERR_EMPTY_RESPONSE/,
+    /ERR_CONNECTION_RESET/);
 }));
 
 test('a section that failed says why, and can be run again', async () => {
@@ -140,7 +144,8 @@ test('a section that failed says why, and can be run again', async () => {
       await page.goto(`${hasty.url}/#job=${jobID}`);
       await page.reload();
       await page.click('text="Retry what failed"', {timeout: 60_000});
-      await page.waitForFunction(() => /running|waiting/.test(document.querySelector('.jobs .card.chosen')?.textContent ?? ''));
+      await page.waitForFunction(() => /running|waiting/.test(document.querySelector(
+        '.jobs .card.chosen')?.textContent ?? ''));
       await page.waitForSelector('text="Retry what failed"', {timeout: 60_000});
       await page.click(`[data-section="AA'"]`);
       await page.click('#tab-numbers');
@@ -177,7 +182,8 @@ test('a refused token is said, and the right one lets in', async () => {
       await page.waitForSelector('text="No ground yet: upload one above."');
       await page.reload();
       await page.waitForSelector('text="No ground yet: upload one above."');
-      assert.equal(await page.evaluate(() => JSON.stringify(localStorage).includes('leda_')), false, 'kept for the session only');
+      assert.equal(await page.evaluate(() => JSON.stringify(localStorage).includes('leda_')), false,
+        'kept for the session only');
       browser.expect_silence(/status of 401/);
     });
   } finally {
@@ -185,7 +191,8 @@ test('a refused token is said, and the right one lets in', async () => {
   }
 });
 
-test('a browser that speaks French gets French, and the choice is kept', () => with_browser(server, async (browser, page) => {
+test('a browser that speaks French gets French, and the choice is kept', () => with_browser(server, async (browser,
+  page) => {
   await page.waitForSelector('nav button:has-text("Résultats")');
   assert.equal(await page.getAttribute('html', 'lang'), 'fr');
   await browser.picture('french');
@@ -206,7 +213,8 @@ test('every step passes axe-core', () => with_browser(server, async (browser, pa
   await page.evaluate(axe_source);
   const check = async (where) => {
     const {violations} = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations']}));
-    assert.deepEqual(violations.map(({id, nodes}) => `${where}: ${id}: ${nodes.map(({html}) => html.slice(0, 160)).join(' | ')}`), []);
+    assert.deepEqual(violations.map(({id,
+      nodes}) => `${where}: ${id}: ${nodes.map(({html}) => html.slice(0, 160)).join(' | ')}`), []);
   };
   for (const step of ['dem', 'draw', 'soil', 'run', 'look', 'compare', 'take']) {
     await browser.step(step);
@@ -223,7 +231,8 @@ test('every step passes axe-core', () => with_browser(server, async (browser, pa
   browser.expect_silence();
 }));
 
-test('the keyboard alone goes from the steps to a section and back', () => with_browser(server, async (browser, page) => {
+test('the keyboard alone goes from the steps to a section and back', () => with_browser(server, async (browser,
+  page) => {
   await page.goto(`${server.url}/#job=${finished_job}`);
   await page.reload();
   await page.waitForSelector(`[data-section="AA'"]`);

@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
-import {draft_of, has_models, model_pointer, new_draft, preset, preset_names, request_of} from '../../../server/page/src/draft';
+import {draft_of, has_models, model_pointer, new_draft, preset, preset_names,
+  request_of} from '../../../server/page/src/draft';
 import presets from '../../../server/page/src/presets.json';
 import type {Json} from '../../../server/page/src/types';
 
@@ -32,7 +33,8 @@ test('one line to lay sections along, which may stand without a list, becomes a 
 });
 
 test('what is no request is said to be none', () => {
-  for (const wrong of [null, 3, [], {}, {inputs: 3}, {inputs: {}}] as Json[]) assert.throws(() => draft_of(wrong), /missing/);
+  for (const wrong of [null, 3, [], {}, {inputs: 3}, {inputs: {}}] as Json[]) assert.throws(() => draft_of(wrong),
+    /missing/);
 });
 
 test('the form starts with soil written plainly', () => {

@@ -31,7 +31,8 @@ test('a share of a trace is a point of the map', () => {
 
 test('layers lie under each other, from the ground to the base', () => {
   const profile: XY[] = [[0, 20], [50, 20], [80, 5]];
-  const soil = {base_below_toe_m: 5, layers: [{material: 'crust', thickness_m: 2}, {material: 'clay', bottom_below_toe_m: -3}, {material: 'base'}]};
+  const soil = {base_below_toe_m: 5, layers: [{material: 'crust', thickness_m: 2}, {material: 'clay',
+    bottom_below_toe_m: -3}, {material: 'base'}]};
   const [crust, clay, base] = layers_on(profile, 5, soil);
   assert.deepEqual(crust!.bottom.map((p) => p[1]), [18, 18, 3]);
   // At the toe the clay has wedged out.
@@ -51,7 +52,8 @@ test('limits of colours are round and reach the largest number', () => {
 
 test('a lower bound is dashed, and the legend says so', () => {
   const map = {sections: {
-    name: ['A', 'B'], status: ['at-rest', 'left-domain'], retrogression_m: [50, 100], retrogression_is: ['measured', 'lower-bound'],
+    name: ['A', 'B'], status: ['at-rest', 'left-domain'], retrogression_m: [50, 100], retrogression_is: ['measured',
+      'lower-bound'],
     runout_m: [null, null], runout_is: [null, null], run_time_s: [1, 1],
   }} as unknown as JobMap;
   const {of, entries} = colour_sections(map, 'retrogression');
@@ -69,7 +71,8 @@ function packed(head: object, numbers: readonly number[]): ArrayBuffer {
   return bytes;
 }
 
-const head = {field: 'speed', unit: 'm/s', first: 0, times_s: [0, 1], materials: [], particles: [2, 1], x_m: [0, 65535], z_m: [0, 10], value: [0, 1]};
+const head = {field: 'speed', unit: 'm/s', first: 0, times_s: [0, 1], materials: [], particles: [2, 1], x_m: [0, 65535],
+  z_m: [0, 10], value: [0, 1]};
 
 test('frames come out of their bytes', () => {
   const {frames} = unpack_frames(packed(head, [0, 3, 1, 1, 0, 65535, 7, 8, 9]));

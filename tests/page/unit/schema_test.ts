@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
-import {type Schema, Schemas, pointer_part, typed_number, unit_of, variant_name} from '../../../server/page/src/form/schema';
+import {type Schema, Schemas, pointer_part, typed_number, unit_of,
+  variant_name} from '../../../server/page/src/form/schema';
 import {words} from '../../../server/page/src/words';
 import type {JsonObject} from '../../../server/page/src/types';
 
@@ -30,7 +31,8 @@ test('a blank value holds what must be there, and constants', () => {
 });
 
 test('units stand in names', () => {
-  const expected = {cell_m: 'm', peak_strength_kPa: 'kPa', unit_weight_kN_m3: 'kN/m³', friction_angle_deg: '°', max_time_s: 's',
+  const expected = {cell_m: 'm', peak_strength_kPa: 'kPa', unit_weight_kN_m3: 'kN/m³', friction_angle_deg: '°',
+    max_time_s: 's',
     viscosity_Pa_s: 'Pa s', reference_rate_per_s: '1/s', alpha: '', k0: ''};
   for (const [name, unit] of Object.entries(expected)) assert.equal(unit_of(name), unit, name);
 });

@@ -7,7 +7,8 @@ import {test} from 'node:test';
 import {last_strain, softening_curve, strength} from '../../../server/page/src/softening';
 
 function table(name: string): Record<string, string>[] {
-  const lines = readFileSync(join(process.env.LEDA_SOURCE!, 'tests/data', name), 'utf8').trim().split('\n').filter((line) => !line.startsWith('#'));
+  const lines = readFileSync(join(process.env.LEDA_SOURCE!, 'tests/data', name),
+    'utf8').trim().split('\n').filter((line) => !line.startsWith('#'));
   const head = lines[0]!.split(',');
   return lines.slice(1).map((line) => Object.fromEntries(line.split(',').map((cell, i) => [head[i]!, cell])));
 }
@@ -16,11 +17,13 @@ test('the law of Urmi et al. at the published sites', () => {
   const rows = table('softening_law_points.csv');
   assert.ok(rows.length > 10);
   for (const row of rows) {
-    const law = {law: 'urmi', alpha: Number(row.alpha), beta: Number(row.beta), residual_strain: Number(row.residual_strain),
+    const law = {law: 'urmi', alpha: Number(row.alpha), beta: Number(row.beta),
+      residual_strain: Number(row.residual_strain),
       remolded_strength_kPa: Number(row.remolded_kPa)};
     const curve = softening_curve(law, Number(row.peak_kPa))!;
     const found = strength(curve, Number(row.strain));
-    assert.ok(Math.abs(found - Number(row.strength_kPa)) <= Number(row.tolerance_kPa), `${row.site} at ${row.strain}: ${found}`);
+    assert.ok(Math.abs(found - Number(row.strength_kPa)) <= Number(row.tolerance_kPa),
+      `${row.site} at ${row.strain}: ${found}`);
   }
 });
 
@@ -48,7 +51,8 @@ test('a cell as large as the specimen changes nothing, a larger one steepens the
 });
 
 test('a number that is missing or is no number gives no curve', () => {
-  assert.equal(softening_curve({law: 'urmi', alpha: 1, beta: 'x', residual_strain: 2, remolded_strength_kPa: 1}, 40), null);
+  assert.equal(softening_curve({law: 'urmi', alpha: 1, beta: 'x', residual_strain: 2, remolded_strength_kPa: 1}, 40),
+    null);
   assert.equal(softening_curve({law: 'linear', remolded_strength_kPa: 1}, 40), null);
   assert.equal(softening_curve({law: 'unheard-of'}, 40), null);
 });

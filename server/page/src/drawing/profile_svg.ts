@@ -52,12 +52,14 @@ export function profile_svg(side: Side, frame: Frame, drag?: Drag): SVGSVGElemen
   const {width, height} = frame;
   const x = scale(x0, x1, margin.left, width - margin.right);
   const z = scale(z0, z1, height - margin.bottom, margin.top);
-  const path = (line: readonly XY[]) => line.map(([px, pz], i) => `${i ? 'L' : 'M'}${x(px).toFixed(1)} ${z(pz).toFixed(1)}`).join('');
+  const path = (line: readonly XY[]) =>
+    line.map(([px, pz], i) => `${i ? 'L' : 'M'}${x(px).toFixed(1)} ${z(pz).toFixed(1)}`).join('');
   const down = (line: readonly XY[]) =>
     line.length ? `${path(line)}L${x(line[line.length - 1]![0]).toFixed(1)} ${z(z0)}L${x(line[0]![0]).toFixed(1)} ${z(z0)}Z` : '';
 
   const svg = s('svg', {
-    class: 'profile', viewBox: `0 0 ${width} ${height}`, width, height, role: drag ? 'group' : 'img', 'aria-label': t('profile'),
+    class: 'profile', viewBox: `0 0 ${width} ${height}`, width, height, role: drag ? 'group' : 'img',
+      'aria-label': t('profile'),
     'font-family': 'system-ui, sans-serif', 'font-size': 11,
   });
   grid(svg, frame, {x, z});
@@ -67,10 +69,12 @@ export function profile_svg(side: Side, frame: Frame, drag?: Drag): SVGSVGElemen
     svg.append(s('path', {d: path(side.after), fill: 'none', stroke: '#b4511b', 'stroke-width': 2.2}));
   }
   svg.append(s('path', {
-    d: path(side.before), fill: 'none', stroke: '#22363d', 'stroke-width': 1.8, 'stroke-dasharray': side.after ? '6 4' : 'none',
+    d: path(side.before), fill: 'none', stroke: '#22363d', 'stroke-width': 1.8,
+    'stroke-dasharray': side.after ? '6 4' : 'none',
   }));
   marks(svg, side, {x, z}, drag);
-  const stretched = ((height - margin.top - margin.bottom) / (z1 - z0)) / ((width - margin.left - margin.right) / (x1 - x0));
+  const per_z = (height - margin.top - margin.bottom) / (z1 - z0);
+  const stretched = per_z / ((width - margin.left - margin.right) / (x1 - x0));
   svg.append(s('text', {x: width - margin.right, y: 13, 'text-anchor': 'end', fill: '#4a5a60'},
     t('stretched', {factor: show(stretched, stretched < 10 ? 1 : 0)})));
   if (side.after) key(svg);
@@ -98,7 +102,9 @@ function grid(svg: SVGSVGElement, {width, height}: Frame, {x, z}: Scales): void 
 function layers_of(side: Side, path: (line: readonly XY[]) => string, down: (line: readonly XY[]) => string,
                    {x, z, z0}: Scales & {z0: number}): SVGElement[] {
   const ground = side.before;
-  if (!side.layers?.length) return [s('path', {d: down(ground), fill: '#c9bfae', 'fill-opacity': side.after ? 0.35 : 0.7})];
+  if (!side.layers?.length) {
+    return [s('path', {d: down(ground), fill: '#c9bfae', 'fill-opacity': side.after ? 0.35 : 0.7})];
+  }
   const drawn: SVGElement[] = [];
   const tops = [ground, ...side.layers.map((layer) => layer.bottom)];
   side.layers.forEach((layer, i) => {
@@ -115,7 +121,8 @@ function layers_of(side: Side, path: (line: readonly XY[]) => string, down: (lin
 }
 
 function marks(svg: SVGSVGElement, side: Side, {x, z}: Scales, drag: Drag | undefined): void {
-  const mark = (point: XY | null | undefined, word: 'crest' | 'toe' | 'backscarp' | 'front', colour: string, below: boolean) => {
+  const mark = (point: XY | null | undefined, word: 'crest' | 'toe' | 'backscarp' | 'front', colour: string,
+    below: boolean) => {
     if (!point) return;
     const cx = x(point[0]);
     const cy = z(point[1]);
@@ -156,8 +163,8 @@ function draggable(svg: SVGSVGElement, handle: SVGCircleElement, named: SVGTextE
   handle.setAttribute('tabindex', '0');
   handle.setAttribute('role', 'slider');
   handle.setAttribute('aria-label', t(which));
-  const start = ground.length ? x.from + ((Number(handle.getAttribute('cx')) - x(x.from)) / (x(x.to) - x(x.from))) * (x.to - x.from) : 0;
-  at = start;
+  const share = (Number(handle.getAttribute('cx')) - x(x.from)) / (x(x.to) - x(x.from));
+  at = x.from + share * (x.to - x.from);
   handle.setAttribute('aria-valuenow', at.toFixed(1));
   handle.addEventListener('pointerdown', (event) => {
     handle.setPointerCapture(event.pointerId);
@@ -180,7 +187,8 @@ function draggable(svg: SVGSVGElement, handle: SVGCircleElement, named: SVGTextE
 function key(svg: SVGSVGElement): void {
   const from = margin.left + 70;
   svg.append(
-    s('line', {x1: from, x2: from + 22, y1: 9, y2: 9, stroke: '#22363d', 'stroke-width': 1.8, 'stroke-dasharray': '6 4'}),
+    s('line', {x1: from, x2: from + 22, y1: 9, y2: 9, stroke: '#22363d', 'stroke-width': 1.8,
+      'stroke-dasharray': '6 4'}),
     s('text', {x: from + 27, y: 13, fill: '#33444a'}, t('before')),
     s('line', {x1: from + 75, x2: from + 97, y1: 9, y2: 9, stroke: '#b4511b', 'stroke-width': 2.2}),
     s('text', {x: from + 102, y: 13, fill: '#33444a'}, t('after')));

@@ -27,6 +27,10 @@ export function mark_faults(root: ParentNode, faults: readonly Fault[]): void {
     const input = place.matches('.field') ? place.querySelector('input, select, textarea') : null;
     input?.setAttribute('aria-invalid', 'true');
     input?.setAttribute('aria-describedby', id);
-    for (let outer = place.closest('details'); outer; outer = outer.parentElement?.closest('details') ?? null) outer.open = true;
+    let outer = place.closest('details');
+    while (outer) {
+      outer.open = true;
+      outer = outer.parentElement?.closest('details') ?? null;
+    }
   });
 }

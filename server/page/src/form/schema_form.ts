@@ -27,11 +27,13 @@ export class SchemaForm {
     return box;
   }
 
-  private fill_members(box: HTMLElement, schema: Schema, object: JsonObject, pointer: string, only?: readonly string[]): void {
+  private fill_members(box: HTMLElement, schema: Schema, object: JsonObject, pointer: string,
+    only?: readonly string[]): void {
     box.replaceChildren();
     const again = () => this.fill_members(box, schema, object, pointer, only);
     // The server sorts members by name; what must be there comes first, blocks of their own last.
-    const rank = (name: string, member: Schema) => (schema.required?.includes(name) ? 0 : 2) + (this.is_block(member) ? 1 : 0);
+    const rank = (name: string, member: Schema) =>
+      (schema.required?.includes(name) ? 0 : 2) + (this.is_block(member) ? 1 : 0);
     const possible = Object.entries(schema.properties ?? {}).filter(([name]) => !only || only.includes(name))
       .sort(([a, x], [b, y]) => rank(a, x) - rank(b, y));
     const absent: string[] = [];
@@ -68,7 +70,8 @@ export class SchemaForm {
   }
 
   private remove_button(name: string, remove: () => void): HTMLElement {
-    return h('button', {type: 'button', class: 'small', title: `${t('remove')}: ${name}`, 'aria-label': `${t('remove')}: ${name}`,
+    return h('button', {type: 'button', class: 'small', title: `${t('remove')}: ${name}`,
+      'aria-label': `${t('remove')}: ${name}`,
       onclick: () => {
         remove();
         this.changed();
@@ -111,7 +114,8 @@ export class SchemaForm {
       input = choice;
     } else {
       const is_number = form.type === 'number' || form.type === 'integer';
-      const field = h('input', {type: 'text', id, value: now ?? '', inputmode: is_number ? 'decimal' : 'text', autocomplete: 'off',
+      const field = h('input', {type: 'text', id, value: now ?? '', inputmode: is_number ? 'decimal' : 'text',
+        autocomplete: 'off',
         title: form.description ?? '', oninput: () => {
           const typed = is_number ? typed_number(field.value) : field.value;
           field.classList.toggle('odd', is_number && typeof typed === 'string');
@@ -121,11 +125,13 @@ export class SchemaForm {
     }
     const unit = form.type === 'number' ? unit_of(name) : '';
     return h('div', {class: 'field', 'data-pointer': pointer},
-      h('label', {for: id}, label_of(name)), h('span', {class: 'input'}, input, h('span', {class: 'unit'}, unit), remove));
+      h('label', {for: id}, label_of(name)), h('span', {class: 'input'}, input, h('span', {class: 'unit'}, unit),
+        remove));
   }
 
   /** A value of one of several forms. */
-  private choice(name: string, variants: readonly Schema[], place: Place, pointer: string, remove: HTMLElement | null): HTMLElement {
+  private choice(name: string, variants: readonly Schema[], place: Place, pointer: string,
+    remove: HTMLElement | null): HTMLElement {
     const now = this.schemas.variant_of(variants, value_at(place));
     const plain = variants[now]!;
     const kinds = h('select', {'aria-label': `${label_of(name)}: ${t('kind')}`, value: now, onchange: () => {
@@ -136,7 +142,8 @@ export class SchemaForm {
     }}, variants.map((variant, i) => h('option', {value: i}, variant.type === 'number' ? t('constant')
       : word_or(`field_${variant_name(variant)}`, variant_name(variant)))));
     const box: HTMLElement = plain.type === 'object'
-      ? h('fieldset', {'data-pointer': pointer}, h('legend', {}, label_of(name), ' ', variants.length > 1 ? kinds : null, ' ', remove),
+      ? h('fieldset', {'data-pointer': pointer}, h('legend', {}, label_of(name), ' ', variants.length > 1 ? kinds
+        : null, ' ', remove),
         this.members(plain, (value_at(place) ?? {}) as JsonObject, pointer))
       : this.value(name, plain, place, pointer, h('span', {class: 'kinds'}, kinds, remove));
     return box;
@@ -169,12 +176,14 @@ export class SchemaForm {
 
   private row(item: Schema, list: Json[], i: number, value: Json, pointer: string, tools: HTMLElement): HTMLElement {
     if (item.type === 'object') {
-      return h('div', {class: 'item'}, h('div', {class: 'item-head'}, h('span', {class: 'quiet'}, i + 1), tools), this.members(item, value as JsonObject, pointer));
+      return h('div', {class: 'item'}, h('div', {class: 'item-head'}, h('span', {class: 'quiet'}, i + 1), tools),
+        this.members(item, value as JsonObject, pointer));
     }
     const row = (Array.isArray(value) ? value : [value]) as Json[];
     list[i] = row;
     const cells = Array.from({length: item.maxItems ?? row.length}, (_, at) => {
-      const field = h('input', {type: 'text', inputmode: 'decimal', value: row[at] ?? '', 'aria-label': `${i + 1}, ${at + 1}`,
+      const field = h('input', {type: 'text', inputmode: 'decimal', value: row[at] ?? '',
+        'aria-label': `${i + 1}, ${at + 1}`,
         oninput: () => {
           row[at] = typed_number(field.value) ?? null;
           this.changed();
@@ -192,13 +201,15 @@ export class SchemaForm {
       const object = value_at(place) as Record<string, JsonObject>;
       const rename = (from: string, to: string) => {
         if (!to || to === from || to in object) return;
-        put(place, Object.fromEntries(Object.entries(object).map(([name, value]) => [name === from ? to : name, value])));
+        const renamed = Object.entries(object).map(([name, value]) => [name === from ? to : name, value]);
+      put(place, Object.fromEntries(renamed) as JsonObject);
         this.changed();
         fill(to);
       };
       box.replaceChildren(h('legend', {}, label_of('materials')),
         ...Object.keys(object).map((name) => {
-          const field: HTMLInputElement = h('input', {type: 'text', value: name, 'aria-label': t('name'), onchange: () => rename(name, field.value.trim())});
+          const field: HTMLInputElement = h('input', {type: 'text', value: name, 'aria-label': t('name'),
+            onchange: () => rename(name, field.value.trim())});
           return h('details', {class: 'material', open: name === open},
             h('summary', {}, name),
             h('div', {class: 'field'}, h('label', {}, t('name'), ' ', field), this.remove_button(name, () => {
@@ -231,8 +242,10 @@ function put({holder, key}: Place, value: Json | undefined): void {
 
 /** What two forms of a value have in common is kept when one becomes the other. */
 function moved(from: Json | undefined, to: Schema, blank: Json | undefined): Json | undefined {
-  const is_object = (value: Json | undefined): value is JsonObject => typeof value === 'object' && value !== null && !Array.isArray(value);
+  const is_object = (value: Json | undefined): value is JsonObject => typeof value === 'object' && value !== null &&
+    !Array.isArray(value);
   if (!is_object(from) || !is_object(blank)) return blank;
-  const kept = Object.entries(from).filter(([name]) => to.properties?.[name] && to.properties[name]!.const === undefined);
+  const kept = Object.entries(from).filter(([name]) => to.properties?.[name] &&
+    to.properties[name]!.const === undefined);
   return {...blank, ...Object.fromEntries(kept)};
 }

@@ -89,7 +89,8 @@ export class MapView {
     };
     const sections = new VectorLayer({source: this.sources.sections, style: of_section, declutter: true});
     this.many_sections = new VectorImageLayer({style: of_section, declutter: true, imageRatio: 1.5});
-    const zones = (kind: 'release' | 'runout') => new VectorLayer({source: this.sources[kind], style: zone_styles[kind]});
+    const zones = (kind: 'release' | 'runout') => new VectorLayer({source: this.sources[kind],
+      style: zone_styles[kind]});
     const probability = new VectorLayer({
       source: this.sources.probability,
       style: (feature) => probability_style(Number(feature.get('exceedance')) || 0),

@@ -20,7 +20,8 @@ export const zone_styles = {
     fill: new Fill({color: 'rgba(213,94,0,0.28)'}), stroke: new Stroke({color: '#a84300', width: 1.5}),
   }),
   runout: new Style({
-    fill: new Fill({color: 'rgba(0,114,178,0.25)'}), stroke: new Stroke({color: '#005a8e', width: 1.5, lineDash: [6, 3]}),
+    fill: new Fill({color: 'rgba(0,114,178,0.25)'}), stroke: new Stroke({color: '#005a8e', width: 1.5, lineDash: [6,
+      3]}),
   }),
 };
 
@@ -65,7 +66,8 @@ export function drawn_style(feature: Feature<Geometry>): Style[] {
 }
 
 export const laid_style = new Style({stroke: new Stroke({color: 'rgba(20,20,20,0.75)', width: 1.5, lineDash: [5, 4]})});
-export const left_out_style = new Style({stroke: new Stroke({color: 'rgba(190,0,0,0.8)', width: 1.5, lineDash: [2, 4]})});
+export const left_out_style = new Style({stroke: new Stroke({color: 'rgba(190,0,0,0.8)', width: 1.5, lineDash: [2,
+  4]})});
 
 export function point_style(colour: string): Style {
   return new Style({

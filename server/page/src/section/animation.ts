@@ -87,7 +87,8 @@ export function animation(address: string, window_of_section: Window): HTMLEleme
   let painter: ParticlePainter | null = null;
 
   const canvas = h('canvas', {class: 'particles', role: 'img', 'aria-label': t('animation')});
-  const slider = h('input', {type: 'range', min: 0, max: 0, value: 0, 'aria-label': t('frame'), oninput: () => void go(Number(slider.value))});
+  const slider = h('input', {type: 'range', min: 0, max: 0, value: 0, 'aria-label': t('frame'),
+    oninput: () => void go(Number(slider.value))});
   const clock = h('output', {class: 'clock'});
   const button = h('button', {type: 'button', onclick: () => (playing ? stop() : play())}, t('play'));
   const note = h('p', {class: 'note', hidden: true});

@@ -71,11 +71,14 @@ function tab_content(tab: Tab, section: SectionDetail, job: string): HTMLElement
       const deepest = Math.min(z[0], ...(section.profile_after ?? section.profile_before).map((p: XY) => p[1] - 8));
       return animation(address, {x, z: [deepest, z[1]]});
     }
-    case 'numbers': return h('div', {}, facts(number_rows(section)), h('h3', {}, t('warnings')), warnings(section.warnings),
+    case 'numbers': return h('div', {}, facts(number_rows(section)), h('h3', {}, t('warnings')),
+      warnings(section.warnings),
       h('div', {class: 'row'}, button('download_json', () =>
         save(new Blob([JSON.stringify(section, null, 2)], {type: 'application/json'}), `${section.name}.json`))));
-    case 'screening': return section.screening ? facts(as_rows(section.screening)) : h('p', {class: 'quiet'}, t('none'));
-    case 'log': return h('div', {}, h('pre', {class: 'log', tabindex: 0, 'aria-label': t('log')}, section.log || t('none')),
+    case 'screening': return section.screening ? facts(as_rows(section.screening)) : h('p', {class: 'quiet'},
+      t('none'));
+    case 'log': return h('div', {}, h('pre', {class: 'log', tabindex: 0, 'aria-label': t('log')}, section.log ||
+      t('none')),
       section.run ? button('download_log', () => void text(`${address}/log`).then((log) =>
         save(new Blob([log], {type: 'text/plain'}), `${section.name}-log.txt`))) : null);
   }
@@ -86,7 +89,8 @@ function profile_tab(section: SectionDetail): HTMLElement {
   const box = h('div', {class: 'wide-profile'});
   const draw = () => {
     const width = Math.max(box.clientWidth, 280);
-    fill(box, profile_svg(side_of(section), {width, height: Math.max(box.clientHeight, 180)}) as unknown as HTMLElement);
+    fill(box, profile_svg(side_of(section), {width, height: Math.max(box.clientHeight,
+      180)}) as unknown as HTMLElement);
   };
   new ResizeObserver(draw).observe(box);
   const strip = [
@@ -95,7 +99,8 @@ function profile_tab(section: SectionDetail): HTMLElement {
     status_word(section.status),
   ].map((one) => h('span', {class: 'badge'}, one));
   return h('div', {class: 'profile-tab'}, h('div', {class: 'row'}, strip, section.warnings.length > 0
-    ? h('span', {class: 'badge warn', title: section.warnings.join('\n')}, `${t('warnings')}: ${section.warnings.length}`) : null,
+    ? h('span', {class: 'badge warn', title: section.warnings.join('\n')},
+      `${t('warnings')}: ${section.warnings.length}`) : null,
     button('download_svg', () => {
       const svg = box.querySelector('svg')!;
       svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
@@ -109,7 +114,8 @@ export function section_panel(): HTMLElement {
   let shown = '';
   const title = h('h2', {});
   const content = h('div', {class: 'content', role: 'tabpanel', id: 'section-content', tabindex: 0});
-  const buttons = tabs.map((name) => h('button', {type: 'button', role: 'tab', id: `tab-${name}`, 'aria-controls': 'section-content', onclick: () => {
+  const buttons = tabs.map((name) => h('button', {type: 'button', role: 'tab', id: `tab-${name}`,
+    'aria-controls': 'section-content', onclick: () => {
     tab = name;
     draw();
   }, onkeydown: (event: KeyboardEvent) => {
@@ -121,7 +127,8 @@ export function section_panel(): HTMLElement {
   }}, t(name)));
   const panel = h('section', {class: 'panel', hidden: true, 'aria-label': t('section')},
     h('div', {class: 'row head'}, title, h('div', {role: 'tablist', class: 'tabs'}, buttons),
-      h('button', {type: 'button', class: 'small', 'aria-label': t('close'), onclick: () => void open_section(null)}, '×')), content);
+      h('button', {type: 'button', class: 'small', 'aria-label': t('close'), onclick: () => void open_section(null)},
+        '×')), content);
 
   const draw = () => {
     const {section, job} = state;

@@ -71,7 +71,8 @@ export class ParticlePainter {
       const left = Math.round(frame.x[i]! * sx + ox - wide / 2);
       const top = Math.round(height - (frame.z[i]! * sz + oz) - high / 2);
       for (let row = Math.max(top, 0); row < Math.min(top + high, height); ++row) {
-        for (let at = Math.max(left, 0); at < Math.min(left + wide, width); ++at) this.pixels[row * width + at] = colour;
+        for (let at = Math.max(left, 0); at < Math.min(left + wide,
+          width); ++at) this.pixels[row * width + at] = colour;
       }
     }
     this.canvas.getContext('2d')!.putImageData(this.image, 0, 0);

@@ -21,7 +21,8 @@ function chooser(label: string, at: number, changed: () => void): Choice {
   const sections = h('select', {'aria-label': `${label}: ${t('section')}`, onchange: () => changed()});
   const load = async () => {
     const kept = sections.value;
-    const map = !jobs.value ? null : jobs.value === state.job?.job ? state.job : await get<JobMap>(`jobs/${jobs.value}/map`);
+    const map = !jobs.value ? null : jobs.value === state.job?.job ? state.job
+      : await get<JobMap>(`jobs/${jobs.value}/map`);
     const names = map?.sections.name ?? [];
     fill(sections, names.map((name) => h('option', {value: name}, name)));
     sections.value = names.includes(kept) ? kept : (names[Math.min(at, names.length - 1)] ?? '');
@@ -30,24 +31,28 @@ function chooser(label: string, at: number, changed: () => void): Choice {
   const offer = async () => {
     const kept = jobs.value;
     const list = state.jobs.filter((job: Job) => job.processID !== 'resolution-study');
-    fill(jobs, list.map((job) => h('option', {value: job.jobID}, `${job.name || job.processID}, ${new Date(job.created).toLocaleString()}`)));
+    fill(jobs, list.map((job) => h('option', {value: job.jobID},
+      `${job.name || job.processID}, ${new Date(job.created).toLocaleString()}`)));
     jobs.value = list.some(({jobID}) => jobID === kept) ? kept : (state.job?.job ?? list[0]?.jobID ?? '');
     await load();
   };
   const section = () => (jobs.value && sections.value
     ? get<SectionDetail>(section_address(jobs.value, sections.value)) : Promise.resolve(null));
-  return {element: h('fieldset', {}, h('legend', {}, label), h('div', {class: 'columns two'}, jobs, sections)), section, offer};
+  return {element: h('fieldset', {}, h('legend', {}, label), h('div', {class: 'columns two'}, jobs, sections)), section,
+    offer};
 }
 
 function difference_table(a: SectionDetail, b: SectionDetail): HTMLElement {
-  const row = (name: string, of: (one: SectionDetail) => number | null, is: (one: SectionDetail) => string | null, unit: string) => {
+  const row = (name: string, of: (one: SectionDetail) => number | null, is: (one: SectionDetail) => string | null,
+    unit: string) => {
     const [x, y] = [of(a), of(b)];
     return h('tr', {}, h('th', {scope: 'row'}, name), h('td', {class: 'number'}, bounded(x, is(a), unit)),
       h('td', {class: 'number'}, bounded(y, is(b), unit)),
       h('td', {class: 'number'}, x === null || y === null ? '–' : `${y > x ? '+' : ''}${show(y - x)} ${unit}`));
   };
   const measured = () => null;
-  return h('table', {}, h('thead', {}, h('tr', {}, h('td', {}), [a.name, b.name, t('difference')].map((name) => h('th', {scope: 'col'}, name)))),
+  return h('table', {}, h('thead', {}, h('tr', {}, h('td', {}), [a.name, b.name, t('difference')].map((name) => h('th',
+    {scope: 'col'}, name)))),
     h('tbody', {},
       row(t('retrogression'), (one) => one.crest_to_crest_retrogression_m, (one) => one.retrogression_is, 'm'),
       row(t('runout'), (one) => one.runout_m, (one) => one.runout_is, 'm'),
@@ -69,7 +74,8 @@ export function compare_step(stage: HTMLElement): HTMLElement {
     const {x, z} = extent_of(sides);
     const narrow = stage.clientWidth < 700;
     const width = Math.max(narrow ? stage.clientWidth - 24 : stage.clientWidth / 2 - 24, 260);
-    const height = Math.max(narrow ? stage.clientHeight / 2 - 60 : Math.min(stage.clientHeight - 60, width * 0.75), 180);
+    const height = Math.max(narrow ? stage.clientHeight / 2 - 60 : Math.min(stage.clientHeight - 60, width * 0.75),
+      180);
     fill(stage, shown.map((section, i) => h('figure', {}, h('figcaption', {}, h('strong', {}, section.name)),
       profile_svg(sides[i]!, {width, height, x, z}) as unknown as HTMLElement)));
   };
@@ -95,5 +101,6 @@ export function compare_step(stage: HTMLElement): HTMLElement {
     stage.hidden = state.step !== 'compare';
     if (!stage.hidden) void Promise.all([first.offer(), second.offer()]).catch((error) => report.problem(error));
   });
-  return h('section', {}, h('h2', {}, t('step_compare')), h('p', {}, t('compare_intro')), first.element, second.element, report.element, table);
+  return h('section', {}, h('h2', {}, t('step_compare')), h('p', {}, t('compare_intro')), first.element, second.element,
+    report.element, table);
 }

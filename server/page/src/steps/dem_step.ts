@@ -28,7 +28,8 @@ function known_list(list: HTMLElement): void {
       const used = raster.id === state.raster?.id;
       return h('li', {class: used ? 'card chosen' : 'card'},
         h('div', {class: 'row'}, h('strong', {}, raster.name), used ? h('span', {class: 'badge'}, t('dem_in_use'))
-          : h('button', {type: 'button', 'aria-label': `${t('dem_use')}: ${raster.name}`, onclick: () => use_raster(raster)}, t('dem_use'))),
+          : h('button', {type: 'button', 'aria-label': `${t('dem_use')}: ${raster.name}`,
+            onclick: () => use_raster(raster)}, t('dem_use'))),
         used ? about(raster) : null);
     })));
 }
@@ -43,7 +44,8 @@ export function dem_step(): HTMLElement {
   const file = h('input', {type: 'file', accept: '.tif,.tiff,image/tiff', 'aria-label': t('dem_file'), class: 'file'});
   const name = h('input', {type: 'text', maxlength: 100, autocomplete: 'off'});
   const epsg = h('input', {type: 'text', inputmode: 'numeric', autocomplete: 'off', placeholder: '2950'});
-  const unit = h('select', {}, ['', 'm', 'ft', 'us-ft'].map((one) => h('option', {value: one}, one || t('dem_as_in_file'))));
+  const unit = h('select', {}, ['', 'm', 'ft', 'us-ft'].map((one) => h('option', {value: one}, one ||
+    t('dem_as_in_file'))));
   const nodata = h('input', {type: 'text', autocomplete: 'off', placeholder: '-9999'});
   const progress = h('progress', {max: 1, value: 0, hidden: true, 'aria-label': t('progress')});
   const chosen = h('strong', {});
@@ -102,6 +104,7 @@ export function dem_step(): HTMLElement {
   on(['rasters', 'raster'], () => known_list(list));
   known_list(list);
   return h('section', {}, h('h2', {}, t('step_dem')), h('p', {}, t('dem_intro')), drop, field(t('dem_name'), name),
-    h('details', {}, h('summary', {}, t('dem_more')), field(t('dem_epsg'), epsg), field(t('dem_unit'), unit), field(t('dem_nodata'), nodata)),
+    h('details', {}, h('summary', {}, t('dem_more')), field(t('dem_epsg'), epsg), field(t('dem_unit'), unit),
+      field(t('dem_nodata'), nodata)),
     h('div', {class: 'row'}, send, progress), report.element, h('h3', {}, t('dem_known')), list);
 }

@@ -95,7 +95,8 @@ export function draw_step(map: MapView): HTMLElement {
       }});
       return field(t(key), input, `${pointer}/${key}`);
     };
-    const name = h('input', {type: 'text', maxlength: 100, value: section.name ?? '', autocomplete: 'off', oninput: () => {
+    const name = h('input', {type: 'text', maxlength: 100, value: section.name ?? '', autocomplete: 'off',
+      oninput: () => {
       if (state.looked_at === section.name) state.looked_at = name.value;
       section.name = name.value;
       changed();
@@ -107,7 +108,8 @@ export function draw_step(map: MapView): HTMLElement {
       section[along ? 'along' : 'line'] = typed as Json;
       changed();
     }});
-    const remove = h('button', {type: 'button', class: 'small', 'aria-label': `${t('remove')} ${i + 1}`, onclick: () => {
+    const remove = h('button', {type: 'button', class: 'small', 'aria-label': `${t('remove')} ${i + 1}`,
+      onclick: () => {
       state.draft.sections.splice(i, 1);
       changed();
       rebuild();
@@ -167,7 +169,8 @@ export function draw_step(map: MapView): HTMLElement {
     if (event.key === 'Escape') stop();
   });
   return h('section', {}, h('h2', {}, t('step_draw')), h('p', {}, t('draw_intro')),
-    h('div', {class: 'row'}, button('draw_along', () => start('along'), 'primary'), button('draw_section', () => start('section'), 'primary'), stop_button),
+    h('div', {class: 'row'}, button('draw_along', () => start('along'), 'primary'), button('draw_section',
+      () => start('section'), 'primary'), stop_button),
     hint, report.element, list, h('p', {class: 'quiet'}, t('draw_edit')), preview);
 }
 
@@ -190,7 +193,8 @@ function show_preview(target: HTMLElement, map: MapView): void {
     tell('laid');
   }}, laid.map(({name}) => h('option', {value: name}, name)));
   fill(target,
-    h('p', {}, h('strong', {}, t('laid', {count: laid.length})), out > 0 ? `, ${t('laid_left_out', {count: out})}` : ''),
+    h('p', {}, h('strong', {}, t('laid', {count: laid.length})), out > 0 ? `, ${t('laid_left_out', {count: out})}`
+      : ''),
     h('div', {class: 'row'}, h('label', {}, t('pick_section'), ' ', pick)), profile_of(now, map));
 }
 
@@ -216,6 +220,7 @@ function profile_of(section: LaidSection, map: MapView): HTMLElement {
     tell('sections');
   }) : null;
   const svg = profile_svg({before: profile, crest: crest_m, toe: toe_m}, {width: 360, height: 200}, set);
-  return h('figure', {}, svg as unknown as HTMLElement, h('figcaption', {}, t('profile_of', {name: section.name}), '. ', own ? t('drag_hint') : t('drag_not')),
+  return h('figure', {}, svg as unknown as HTMLElement, h('figcaption', {}, t('profile_of', {name: section.name}), '. ',
+    own ? t('drag_hint') : t('drag_not')),
     reset, section.warnings?.length ? warnings(section.warnings) : null);
 }

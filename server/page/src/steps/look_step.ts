@@ -90,7 +90,8 @@ async function study_picture(target: HTMLElement): Promise<void> {
   const {job} = state;
   if (job?.processID !== 'resolution-study' || job.status !== 'successful') return;
   const picture = await blob(`jobs/${job.job}/results?f=svg`);
-  fill(target, h('figure', {}, h('img', {src: URL.createObjectURL(picture), alt: t('study_picture')}), h('figcaption', {}, t('study_picture'))));
+  fill(target, h('figure', {}, h('img', {src: URL.createObjectURL(picture), alt: t('study_picture')}), h('figcaption',
+    {}, t('study_picture'))));
 }
 
 function section_rows(filter: string, count: number): {rows: HTMLElement[]; left: number} {
@@ -99,12 +100,16 @@ function section_rows(filter: string, count: number): {rows: HTMLElement[]; left
   const found = sections.name.map((_, i) => i).filter((i) => sections.name[i]!.toLowerCase().includes(wanted));
   const bound = (is: string | null | undefined) => (is === 'lower-bound' ? '≥ ' : '');
   const {of} = colour_sections(state.job!, 'status');
-  const rows = found.slice(0, count).map((i) => h('tr', {class: state.section?.name === sections.name[i] ? 'chosen' : ''},
+  const rows = found.slice(0, count).map((i) => h('tr', {class: state.section?.name === sections.name[i] ? 'chosen'
+    : ''},
     h('td', {}, h('button', {type: 'button', class: 'link', 'data-section': sections.name[i],
       onclick: () => void open_section(sections.name[i]!)}, sections.name[i]!)),
-    h('td', {}, swatch(of[i]!.colour), h('span', {title: status_word(sections.status[i]!)}, status_word(sections.status[i]!))),
-    h('td', {class: 'number'}, sections.retrogression_m[i] === null ? '–' : bound(sections.retrogression_is[i]) + show(sections.retrogression_m[i])),
-    h('td', {class: 'number'}, sections.runout_m[i] === null ? '–' : bound(sections.runout_is[i]) + show(sections.runout_m[i]))));
+    h('td', {}, swatch(of[i]!.colour), h('span', {title: status_word(sections.status[i]!)},
+      status_word(sections.status[i]!))),
+    h('td', {class: 'number'}, sections.retrogression_m[i] === null ? '–'
+      : bound(sections.retrogression_is[i]) + show(sections.retrogression_m[i])),
+    h('td', {class: 'number'}, sections.runout_m[i] === null ? '–'
+      : bound(sections.runout_is[i]) + show(sections.runout_m[i]))));
   return {rows, left: found.length - rows.length};
 }
 
@@ -121,7 +126,8 @@ export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElem
     const others = state.jobs.filter(({jobID}) => jobID !== state.job?.job);
     fill(jobs, state.jobs.length === 0 ? h('li', {class: 'quiet'}, t('jobs_none')) : [
       ...shown.map((job) => job_card(job, report)),
-      shown.length > 0 && others.length > 0 ? h('li', {}, h('details', {}, h('summary', {}, `${t('jobs')}: ${others.length}`),
+      shown.length > 0 && others.length > 0 ? h('li', {}, h('details', {}, h('summary', {},
+        `${t('jobs')}: ${others.length}`),
         h('ul', {class: 'cards'}, others.map((job) => job_card(job, report))))) : null,
       ...(shown.length > 0 ? [] : others.map((job) => job_card(job, report))),
     ]);
@@ -131,8 +137,10 @@ export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElem
   const by = h('select', {value: colour.by, onchange: () => {
     colour.by = by.value as ColourBy;
     colour.changed();
-  }}, (['status', 'retrogression', 'runout', 'cost'] as const).map((name) => h('option', {value: name}, t(`by_${name}` as Word))));
-  const find = h('input', {type: 'search', 'aria-label': t('filter'), placeholder: t('filter'), oninput: later(150, () => {
+  }}, (['status', 'retrogression', 'runout', 'cost'] as const).map((name) => h('option', {value: name},
+    t(`by_${name}` as Word))));
+  const find = h('input', {type: 'search', 'aria-label': t('filter'), placeholder: t('filter'), oninput: later(150,
+    () => {
     count = rows_at_once;
     show_table();
   })});
@@ -141,7 +149,8 @@ export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElem
     count += 5 * rows_at_once;
     show_table();
   }});
-  const table = h('table', {class: 'sections'}, h('thead', {}, h('tr', {}, [t('section'), t('status'), `${t('retrogression')}, m`, `${t('runout')}, m`]
+  const table = h('table', {class: 'sections'}, h('thead', {}, h('tr', {}, [t('section'), t('status'),
+    `${t('retrogression')}, m`, `${t('runout')}, m`]
     .map((word) => h('th', {scope: 'col'}, word)))), body);
   const show_table = () => {
     if (!state.job) return;
@@ -166,7 +175,8 @@ export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElem
   // The newest job shows by itself: it is what one comes for.
   on('step', () => {
     const newest = state.jobs[0];
-    if (state.step === 'look' && !state.job && newest) void show_job(newest.jobID).catch((error) => report.problem(error));
+    if (state.step === 'look' && !state.job && newest) void show_job(newest.jobID).catch((error) => report.problem(
+      error));
   });
   show_jobs();
   show_sections();

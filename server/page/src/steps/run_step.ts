@@ -18,6 +18,13 @@ function bytes(count: number): string {
   return `${show(count / 1000 ** power)} ${units[power]}`;
 }
 
+/** Few hours also in a unit that says something. */
+function core_hours(hours: number): string {
+  const minutes = hours * 60;
+  if (hours >= 2) return show(hours);
+  return `${show(hours, 3)} (${minutes >= 2 ? `${show(minutes, 0)} min` : `${show(minutes * 60, 0)} s`})`;
+}
+
 function estimate_of({estimate, sections}: DryRun): HTMLElement {
   const notes = sections.filter(({reason, warnings}) => reason || warnings.length > 0);
   return h('div', {},
@@ -27,7 +34,7 @@ function estimate_of({estimate, sections}: DryRun): HTMLElement {
       [t('est_left_out'), show(estimate.left_out)],
       [t('est_stable'), show(estimate.stable)],
       [t('est_particles'), show(estimate.particles, 0)],
-      [t('est_core_hours'), `${show(estimate.core_hours, 3)} (${t('est_at_most')} ${show(estimate.core_hours_at_most, 3)})`],
+      [t('est_core_hours'), `${core_hours(estimate.core_hours)}; ${t('est_at_most')} ${core_hours(estimate.core_hours_at_most)}`],
       [t('est_disk'), bytes(estimate.disk_bytes)],
       [t('est_basis'), estimate.based_on],
     ]),
@@ -39,7 +46,8 @@ function estimate_of({estimate, sections}: DryRun): HTMLElement {
 /** Faults, each with a way to the field it is about. */
 function fault_list(): HTMLElement {
   const {faults} = state;
-  return h('div', {}, h('p', {class: 'bad', role: 'alert'}, faults.length === 1 ? t('fault_one') : t('faults', {count: faults.length})),
+  return h('div', {}, h('p', {class: 'bad', role: 'alert'}, faults.length === 1 ? t('fault_one') : t('faults',
+    {count: faults.length})),
     h('ul', {class: 'warnings'}, faults.map(({pointer, detail}) => {
       const step = step_of(pointer);
       return h('li', {}, h('code', {}, pointer), ` ${detail} `,

@@ -94,7 +94,8 @@ export function soil_step(map: MapView): HTMLElement {
   };
 
   const settings_form = (schemas: Schemas) => {
-    const names = Object.keys(schemas.resolve(schemas.whole).properties ?? {}).filter((name) => !elsewhere.includes(name));
+    const names = Object.keys(schemas.resolve(schemas.whole).properties ?? {}).filter((name) => !elsewhere.includes(
+      name));
     const form = new SchemaForm(schemas, changed);
     return form.members(schemas.whole, state.draft.settings, '/inputs', names);
   };
@@ -117,7 +118,8 @@ export function soil_step(map: MapView): HTMLElement {
     return h('fieldset', {class: 'model'}, h('legend', {}, `${t('soil_model')}${many ? ` ${i + 1}` : ''}`),
       many || model.where.length > 0 ? field(t('name'), name, `${pointer}/name`) : null,
       h('div', {class: 'row', 'data-pointer': `${pointer}/where`},
-        h('span', {class: 'quiet'}, model.where.length > 0 ? t('region_count', {count: model.where.length}) : many ? t('everywhere') : ''),
+        h('span', {class: 'quiet'}, model.where.length > 0 ? t('region_count', {count: model.where.length}) : many
+          ? t('everywhere') : ''),
         many ? button('region_draw', () => draw_region(i)) : null,
         model.where.length > 0 ? button('region_clear', () => {
           model.where = [];
@@ -137,7 +139,8 @@ export function soil_step(map: MapView): HTMLElement {
     hint.textContent = t('draw_hint_region');
     map.draw('region', (points) => {
       hint.textContent = '';
-      state.draft.models[i]!.where.push(points.map(([x, y]): XY => [Math.round(x * 100) / 100, Math.round(y * 100) / 100]));
+      state.draft.models[i]!.where.push(points.map(([x, y]): XY => [Math.round(x * 100) / 100,
+        Math.round(y * 100) / 100]));
       changed();
       void rebuild();
     });
@@ -184,7 +187,8 @@ function show_pictures(target: HTMLElement): void {
   if (laid?.profile && laid.toe_m) {
     const svg = profile_svg({before: laid.profile, crest: laid.crest_m, toe: laid.toe_m,
       layers: layers_on(laid.profile, laid.toe_m[1], model.soil)}, {width: 360, height: 200});
-    target.append(h('figure', {}, svg as unknown as HTMLElement, h('figcaption', {}, t('layers_on_profile', {name: laid.name}))));
+    target.append(h('figure', {}, svg as unknown as HTMLElement, h('figcaption', {}, t('layers_on_profile',
+      {name: laid.name}))));
   }
   const cell = (state.draft.settings.resolution as JsonObject | undefined)?.cell_m;
   for (const [name, material] of Object.entries((model.soil.materials ?? {}) as Record<string, JsonObject>)) {
@@ -197,7 +201,8 @@ const open_curves = new Set<string>();
 
 function curve_of(name: string, material: JsonObject, cell_m: number | undefined): HTMLElement {
   const law = material.softening as JsonObject;
-  const peak = typeof material.peak_strength_kPa === 'number' ? material.peak_strength_kPa : first_row(material.peak_strength_kPa);
+  const peak = typeof material.peak_strength_kPa === 'number' ? material.peak_strength_kPa
+    : first_row(material.peak_strength_kPa);
   const measured = softening_curve(law, peak);
   const box = h('div', {class: 'curve'});
   const figure = h('details', {open: open_curves.has(name)}, h('summary', {onclick: () => {

@@ -33,7 +33,8 @@ export function take_step(map: MapView): HTMLElement {
   const report_file = async () => {
     const job = state.job!;
     try {
-      const html = await make_report(job, state.raster, map.picture(), (done, all) => report.say(t('take_report_making', {done, all})));
+      const html = await make_report(job, state.raster, map.picture(), (done, all) => report.say(t('take_report_making',
+        {done, all})));
       save(new Blob([html], {type: 'text/html'}), `${job.name || job.job}-report.html`);
       report.say('');
     } catch (error) {
@@ -50,8 +51,10 @@ export function take_step(map: MapView): HTMLElement {
       formats.map(([f, word]) => button(word, () => void keep(`jobs/${job.job}/export?f=${f}`, name))))
       : h('p', {class: 'quiet'}, t('take_need')),
       h('div', {class: 'stack'},
-        button('take_request', () => save(new Blob([JSON.stringify(job.request, null, 2)], {type: 'application/json'}), `${name}-request.json`)),
-        raster ? button('take_hillshade', () => void keep(`rasters/${raster.id}/hillshade.png`, `${raster.name}-hillshade.png`)) : null));
+        button('take_request', () => save(new Blob([JSON.stringify(job.request, null, 2)], {type: 'application/json'}),
+          `${name}-request.json`)),
+        raster ? button('take_hillshade', () => void keep(`rasters/${raster.id}/hillshade.png`,
+          `${raster.name}-hillshade.png`)) : null));
   };
   on('job', show);
   show();
