@@ -14,7 +14,7 @@ export interface Entry {
 
 const of_status: Record<string, string> = {
   'at-rest': '#d55e00', stable: '#009e73', 'time-limit': '#cc79a7', 'left-domain': '#e69f00', unstable: '#000000',
-  failed: '#000000', left_out: '#8a8a8a', dismissed: '#8a8a8a', waiting: '#b8c4cc', running: '#56b4e9',
+  failed: '#000000', left_out: '#8a8a8a', dismissed: '#8a8a8a', waiting: '#f0e442', running: '#56b4e9',
 };
 const no_value = '#8a8a8a';
 export const steps_of_numbers = ['#fde725', '#90d743', '#35b779', '#21918c', '#31688e', '#440154'];
