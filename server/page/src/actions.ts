@@ -1,7 +1,7 @@
 // What several parts of the page do: load lists, show a job, open a section.
 
 import {Problem, get} from './api';
-import {state, tell} from './state';
+import {settle, state, tell} from './state';
 import type {Step} from './state';
 import type {Job, JobMap, Raster, SectionDetail} from './types';
 
@@ -26,6 +26,8 @@ export function use_raster(raster: Raster): void {
   state.raster = raster;
   state.draft.dem = raster.name;
   if (!state.draft.name) state.draft.name = raster.name;
+  settle('/inputs/dem');
+  settle('/inputs/name');
   tell('raster');
   tell('draft');
 }

@@ -48,8 +48,8 @@ export function token_button(): HTMLElement {
 /** Switches of the layers, and what the colours of the sections mean. */
 export function legend(map: MapView, colour: {by: ColourBy}): {element: HTMLElement; draw: () => void} {
   const layer_names: readonly (readonly [LayerName, Word, string | null])[] = [
-    ['sections', 'layer_sections', null], ['release', 'layer_release', '#d55e00'], ['runout', 'layer_runout',
-      '#0072b2'],
+    ['sections', 'layer_sections', null], ['release', 'layer_release', '#e9ad85'],
+    ['runout', 'layer_runout', '#99c6e0'],
     ['probability', 'layer_probability', '#440154'], ['hillshade', 'layer_hillshade', null],
   ];
   const off = new Set<LayerName>();

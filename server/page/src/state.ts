@@ -38,6 +38,14 @@ export function tell(topic: Topic): void {
   for (const listener of listeners.get(topic) ?? []) listener();
 }
 
+/** What was refused and is typed anew is no fault any more, until the server says so again. */
+export function settle(pointer: string): void {
+  const left = state.faults.filter((fault) => fault.pointer !== pointer && !fault.pointer.startsWith(`${pointer}/`));
+  if (left.length === state.faults.length) return;
+  state.faults = left;
+  tell('faults');
+}
+
 /** The step in which the value of a fault is typed. */
 export function step_of(pointer: string): Step {
   if (pointer.startsWith('/inputs/dem')) return 'dem';

@@ -36,7 +36,8 @@ const en = {
   laid: '{count} sections', laid_left_out: '{count} of them left out', profile_of: 'Profile of {name}',
   drag_hint: 'Drag crest or toe to correct it.',
   drag_not: 'Crest and toe of a section laid along a line are found by the server; draw a section of its own to set them.',
-  reset_bank: 'As the server finds them', need_dem: 'Choose the ground first.', pick_section: 'Look at',
+  reset_bank: 'As the server finds them', need_dem: 'Choose the ground first.', need_name: 'Give the job a name.',
+  need_sections: 'Draw a section or trace a line first.', pick_section: 'Look at',
 
   soil_intro: 'What the ground is made of, top down. Start from a site of the thesis and change what you know better.',
   preset: 'Start from', preset_apply: 'Use this soil', preset_asked: 'This replaces the soil typed below.',
@@ -157,7 +158,8 @@ const fr: Record<Word, string> = {
   laid: '{count} profils', laid_left_out: 'dont {count} écartés', profile_of: 'Profil {name}',
   drag_hint: 'Déplacez la crête ou le pied pour les corriger.',
   drag_not: 'La crête et le pied d’un profil placé le long d’une ligne sont trouvés par le serveur ; dessinez un profil à part pour les fixer.',
-  reset_bank: 'Comme le serveur les trouve', need_dem: 'Choisissez d’abord le terrain.', pick_section: 'Regarder',
+  reset_bank: 'Comme le serveur les trouve', need_dem: 'Choisissez d’abord le terrain.', need_name: 'Donnez un nom au calcul.',
+  need_sections: 'Dessinez d’abord un profil ou tracez une ligne.', pick_section: 'Regarder',
 
   soil_intro: 'De quoi le sol est fait, de haut en bas. Partez d’un site de la thèse et changez ce que vous savez mieux.',
   preset: 'Partir de', preset_apply: 'Prendre ce sol', preset_asked: 'Ceci remplace le sol saisi ci-dessous.',

@@ -71,6 +71,18 @@ test('faults stand at their fields, and are counted at their steps', () => with_
   browser.expect_silence(/status of 400/);
 }));
 
+test('what is not done yet is said in plain words', () => with_browser(server, async (browser, page) => {
+  await browser.step('run');
+  await page.fill('[data-pointer="/inputs/name"] input', '');
+  await page.click('text="Dry run"');
+  await page.waitForSelector('text="Give the job a name."');
+  assert.match(await page.textContent('.step[data-step=run] .warnings'), /Draw a section or trace a line first/);
+  await page.fill('[data-pointer="/inputs/name"] input', 'reach');
+  await page.waitForFunction(() => document.querySelector('nav [data-step=run] .faults').textContent === '');
+  assert.equal(await page.locator('nav [data-step=draw] .faults').textContent(), ' 1');
+  browser.expect_silence(/status of 400/);
+}));
+
 test('a line outside the DEM is refused at its points', () => with_browser(server, async (browser, page) => {
   const outside = copy(region);
   outside.inputs.sections = [{name: "AA'", line: [[1, 2], [3, 4]]}];

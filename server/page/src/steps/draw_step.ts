@@ -5,7 +5,7 @@ import {fill, h, later} from '../dom';
 import type {Drawn, DrawKind, MapView} from '../map/map_view';
 import {point_along} from '../drawing/axes';
 import {profile_svg} from '../drawing/profile_svg';
-import {on, state, tell} from '../state';
+import {on, settle, state, tell} from '../state';
 import type {Json, JsonObject, LaidSection, XY} from '../types';
 import {t} from '../words';
 import {typed_number} from '../form/schema';
@@ -158,6 +158,7 @@ export function draw_step(map: MapView): HTMLElement {
   });
 
   on('sections', () => {
+    settle('/inputs/sections');
     map.show_drawn(drawn_of(state.draft.sections));
     lay_out();
   });

@@ -1,11 +1,11 @@
 // Dry run, what it would cost, and submit.
 
 import {go, load_jobs, show_job} from '../actions';
-import {Problem, send} from '../api';
+import {type Fault, Problem, send} from '../api';
 import {request_of} from '../draft';
 import {fill, h} from '../dom';
 import {mark_faults} from '../form/faults';
-import {on, state, step_of, tell} from '../state';
+import {on, settle, state, step_of, tell} from '../state';
 import type {DryRun, Job} from '../types';
 import {type Word, show, t} from '../words';
 import {Report, button, facts, field} from './parts';
@@ -43,6 +43,15 @@ function estimate_of({estimate, sections}: DryRun): HTMLElement {
         h('li', {}, h('strong', {}, name), ` ${[reason, ...warnings].filter(Boolean).join('; ')}`)))));
 }
 
+/** What a newcomer has not done yet is said as such. */
+function in_plain_words(fault: Fault): Fault {
+  const {draft} = state;
+  if (fault.pointer === '/inputs/name' && draft.name === '') return {...fault, detail: t('need_name')};
+  if (fault.pointer === '/inputs/dem' && draft.dem === '') return {...fault, detail: t('need_dem')};
+  if (fault.pointer === '/inputs/sections' && draft.sections.length === 0) return {...fault, detail: t('need_sections')};
+  return fault;
+}
+
 /** Faults, each with a way to the field it is about. */
 function fault_list(): HTMLElement {
   const {faults} = state;
@@ -63,6 +72,7 @@ export function run_step(): HTMLElement {
   const outcome = h('div');
   const name = h('input', {type: 'text', maxlength: 200, value: state.draft.name, autocomplete: 'off', oninput: () => {
     state.draft.name = name.value;
+    settle('/inputs/name');
     tell('draft');
   }});
   const form = field(t('job_name'), name, '/inputs/name');
@@ -77,7 +87,7 @@ export function run_step(): HTMLElement {
       return answer;
     } catch (error) {
       if (error instanceof Problem && error.faults.length > 0) {
-        state.faults = error.faults;
+        state.faults = error.faults.map(in_plain_words);
         report.say(error.message, true);
         fill(outcome, fault_list());
       } else {
@@ -85,7 +95,6 @@ export function run_step(): HTMLElement {
       }
       return null;
     } finally {
-      mark_faults(form, state.faults);
       tell('faults');
     }
   };
@@ -100,6 +109,7 @@ export function run_step(): HTMLElement {
     await show_job(job.jobID);
     go('look');
   };
+  on('faults', () => mark_faults(form, state.faults));
   on('draft', () => {
     if (name.value !== state.draft.name) name.value = state.draft.name;
   });
