@@ -77,9 +77,12 @@ export function run_step(): HTMLElement {
   }});
   const form = field(t('job_name'), name, '/inputs/name');
 
+  const buttons = [button('dry_run', () => void dry()), button('submit', () => void submit(), 'primary')];
   const ask = async <T>(body: object): Promise<T | null> => {
     report.say(t('submitting'));
     fill(outcome);
+    // A second click would be a second job.
+    buttons.forEach((one) => (one.disabled = true));
     state.faults = [];
     try {
       const answer = await send<T>('POST', 'processes/map-region/execution', body);
@@ -95,6 +98,7 @@ export function run_step(): HTMLElement {
       }
       return null;
     } finally {
+      buttons.forEach((one) => (one.disabled = false));
       tell('faults');
     }
   };
@@ -114,6 +118,6 @@ export function run_step(): HTMLElement {
     if (name.value !== state.draft.name) name.value = state.draft.name;
   });
   return h('section', {}, h('h2', {}, t('step_run')), h('p', {}, t('run_intro')), form,
-    h('div', {class: 'row'}, button('dry_run', () => void dry()), button('submit', () => void submit(), 'primary')),
+    h('div', {class: 'row'}, buttons),
     report.element, outcome);
 }
