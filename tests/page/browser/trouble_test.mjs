@@ -243,6 +243,20 @@ test('every step passes axe-core', () => with_browser(server, async (browser, pa
   browser.expect_silence();
 }));
 
+test('probability zones show where the server has that collection', () => with_browser(server, async (browser, page) => {
+  // EPSG:2950 to degrees, at the middle of the demo's DEM.
+  const [lon, lat] = [-72.5195, 46.1558];
+  const ring = [[lon, lat], [lon + 0.002, lat], [lon + 0.002, lat + 0.001], [lon, lat]];
+  const zone = {type: 'Feature', properties: {exceedance: 0.5}, geometry: {type: 'Polygon', coordinates: [ring]}};
+  await page.route('**/collections', (route) => route.fulfill({json: {collections: [{id: 'probability_zones'}]}}));
+  await page.route('**/collections/probability_zones/items*', (route) =>
+    route.fulfill({json: {type: 'FeatureCollection', features: [zone]}}));
+  await page.goto(`${server.url}/#job=${finished_job}`);
+  await page.reload();
+  await page.waitForFunction(() => document.querySelector('.legend')?.textContent.includes('Probability zones'));
+  browser.expect_silence();
+}));
+
 test('the keyboard alone goes from the steps to a section and back', () => with_browser(server, async (browser,
   page) => {
   await page.goto(`${server.url}/#job=${finished_job}`);
