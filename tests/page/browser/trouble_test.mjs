@@ -31,6 +31,21 @@ async function import_request(browser, server, request) {
   await browser.page.waitForSelector('fieldset.model');
 }
 
+/** Whether the map has the colour of a chosen line; the hillshade, which may have it too, must be off. */
+function is_marked(page) {
+  return page.evaluate(() => [...document.querySelectorAll('.ol-layer canvas')].some((canvas) => {
+    if (canvas.width === 0) return false;
+    const still = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {willReadFrequently: true});
+    still.drawImage(canvas, 0, 0);
+    const {data} = still.getImageData(0, 0, canvas.width, canvas.height);
+    let marked = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i] === 0x11 && data[i + 1] === 0x11 && data[i + 2] === 0x11 && data[i + 3] === 255) ++marked;
+    }
+    return marked > 50;
+  }));
+}
+
 const copy = (value) => JSON.parse(JSON.stringify(value));
 
 const server = new Server();
@@ -179,6 +194,10 @@ test('the address keeps the job and the section that show', () => with_browser(s
   await page.reload();
   await page.waitForSelector('.panel svg.profile');
   assert.equal(await page.textContent('.panel h2'), "BB'");
+  // It is marked on the map, also once the layout of what is drawn came in.
+  await page.uncheck('.legend label:has-text("Hillshade") input');
+  await page.waitForTimeout(800);
+  assert.ok(await is_marked(page), 'the section is marked');
   browser.expect_silence();
 }));
 

@@ -179,11 +179,16 @@ function named_section(name: string): JsonObject | undefined {
   return state.draft.sections.find((section) => !is_along(section) && section.name === name);
 }
 
+/** Marks on the map what is looked at here, and nothing while another step has the map. */
+function mark(map: MapView, ...what: Parameters<MapView['choose']>): void {
+  if (state.step === 'draw' || state.step === 'soil') map.choose(...what);
+}
+
 function show_preview(target: HTMLElement, map: MapView): void {
   const {laid} = state;
   map.show_laid(laid.filter(({name}) => !named_section(name)));
   if (laid.length === 0) {
-    map.choose(null);
+    mark(map, null);
     return fill(target);
   }
   const out = laid.filter((section) => section.reason).length;
@@ -202,12 +207,12 @@ function show_preview(target: HTMLElement, map: MapView): void {
 function profile_of(section: LaidSection, map: MapView): HTMLElement {
   const {profile, crest_m, toe_m} = section;
   if (!profile || !crest_m || !toe_m) {
-    map.choose(section.trace);
+    mark(map, section.trace);
     return h('p', {class: 'fault'}, section.reason ?? '');
   }
   const length = profile[profile.length - 1]![0];
   const on_map = (x: number) => point_along(section.trace, x / length);
-  map.choose(section.trace, [{at: on_map(crest_m[0]), colour: '#22363d'}, {at: on_map(toe_m[0]), colour: '#0072b2'}]);
+  mark(map, section.trace, [{at: on_map(crest_m[0]), colour: '#22363d'}, {at: on_map(toe_m[0]), colour: '#0072b2'}]);
   const own = named_section(section.name);
   const set = own && ((which: 'crest' | 'toe', x: number, done: boolean) => {
     if (!done) return;
