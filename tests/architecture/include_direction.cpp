@@ -33,6 +33,7 @@ const std::map<std::string, Doors>& inner_rooms() {
         {"run", {"section", "materials", "kernel", "statics"}},
         {"extremes", {"section", "run"}},
         {"study", {"section"}},
+        {"ensemble", {"section"}},
         {"screening", {"section"}},
         {"element_test", {"section", "materials", "kernel"}}}},
       {"server",
