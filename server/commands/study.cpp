@@ -62,13 +62,13 @@ std::size_t workers_of(const Options& options, const StudyFile& study) {
   return wanted > 0 ? std::size_t(wanted) : std::max(1U, std::thread::hardware_concurrency());
 }
 
-void show(const StudyProgress& p) {
+void show(const RunsProgress& p) {
   fmt::print(stderr, "\r\033[K{} of {} runs done ({} found), {} running", p.done, p.runs, p.found,
              p.running);
 }
 
 /// Where there is no terminal: a line a run.
-void show_line(const StudyProgress& p) {
+void show_line(const RunsProgress& p) {
   static std::size_t shown = 0;
   if (std::size_t(p.done) == shown) return;
   shown = std::size_t(p.done);
@@ -88,7 +88,7 @@ int run(const Options& options) {
   const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
   fs::create_directories(options.out);
   LocalExecutor executor(program_beside(), workers_of(options, asked));
-  StudyListener listener;
+  RunsListener listener;
   listener.interrupted = InterruptSignals::arrived;
   if (!options.json) listener.progress = terminal ? show : show_line;
   StudyRuns done = run_study(asked, options.out, executor, listener);

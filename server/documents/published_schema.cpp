@@ -42,6 +42,14 @@ json simulate_schema() {
   return outer;
 }
 
+/// The member "ensemble" by itself.
+json ensemble_schema() {
+  return {{"$schema", "http://json-schema.org/draft-07/schema#"},
+          {"title", "Leda ensemble"},
+          {"$ref", "#/definitions/ensemble"},
+          {"definitions", json::parse(definitions_schema_text)}};
+}
+
 /// The study schema, with the case schema among its definitions.
 json study_schema() {
   json schema = with_definitions(resolution_study_request_schema_text);
@@ -68,12 +76,15 @@ struct Published {
 
 const Published& published(PublishedSchema which) {
   static const Published case_file(with_definitions(case_schema_text));
+  static const Published ensemble(ensemble_schema());
   static const Published region(with_options(with_definitions(region_schema_text)));
   static const Published simulate(with_options(simulate_schema()));
   static const Published study(with_options(study_schema()));
   switch (which) {
     case PublishedSchema::case_file:
       return case_file;
+    case PublishedSchema::ensemble:
+      return ensemble;
     case PublishedSchema::region_request:
       return region;
     case PublishedSchema::study_request:

@@ -9,7 +9,8 @@
 
 namespace leda::server {
 
-enum class PublishedSchema { case_file, region_request, simulate_request, study_request };
+/// `ensemble`: the member of that name.
+enum class PublishedSchema { case_file, ensemble, region_request, simulate_request, study_request };
 
 /// The whole schema with its definitions, as served to clients.
 const nlohmann::json& published_schema(PublishedSchema which);

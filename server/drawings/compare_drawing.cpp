@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "server/documents/compare_document.hpp"
+#include "server/drawings/svg.hpp"
 
 namespace leda::server {
 namespace {
@@ -42,41 +43,6 @@ struct Scale {
   double x(double metres) const { return margin_left + (metres - toe_x - left_m) * pixels_per_m; }
   double y(double metres) const { return bottom - (metres - bottom_m) * pixels_per_m; }
 };
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        // XML 1.0 has no place for other control characters.
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return out;
-}
-
-std::string text_at(double x, double y, const char* anchor, const std::string& text,
-                    const char* style = "") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
-                     anchor, style, escaped(text));
-}
-
-std::string line(double x1, double y1, double x2, double y2, const char* style) {
-  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x1, y1,
-                     x2, y2, style);
-}
 
 std::string path(const Polyline& points, const Scale& scale, const char* style) {
   std::string d;

@@ -7,36 +7,13 @@
 #include <cmath>
 #include <iterator>
 
+#include "server/drawings/svg.hpp"
+
 namespace leda::server {
 namespace {
 
 constexpr double width = 460, height = 300, left = 60, top = 50, gap = 80;
 constexpr std::array colors{"#1b4965", "#c1121f", "#2a9d8f", "#e09f3e"};
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else
-      out += c;
-  }
-  return out;
-}
-
-/// A step of 1, 2 or 5 times a power of ten that divides a range into about five.
-double tick_step(double range) {
-  const double raw = range / 5;
-  const double power = std::pow(10, std::floor(std::log10(raw)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= raw) return factor * power;
-  }
-  return 10 * power;
-}
 
 struct Panel {
   double x0 = 0;  ///< left edge, px

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "server/drawings/svg.hpp"
+
 namespace leda::server {
 namespace {
 
@@ -16,32 +18,6 @@ using solver::SettingSummary;
 constexpr double panel_width = 400, panel_height = 380;
 constexpr double left = 74, top = 78, between = 74, legend_width = 220, below = 62;
 constexpr double mark_size = 6, smallest_mark = 4.5, largest_mark = 9;
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += c;
-  }
-  return out;
-}
-
-std::string text_at(double x, double y, const char* anchor, const std::string& text,
-                    const char* style = "") {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
-                     anchor, style, escaped(text));
-}
-
-std::string line(double x1, double y1, double x2, double y2, const std::string& style) {
-  return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" {}/>\n", x1, y1,
-                     x2, y2, style);
-}
 
 /// From dark for the finest cell to light for the coarsest: anchors of viridis, told apart by
 /// colour-blind readers and in grey.

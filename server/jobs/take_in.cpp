@@ -29,7 +29,7 @@ std::string fault_of_fields(const std::filesystem::path& file, const std::string
 
 }  // namespace
 
-Outcome read_outcome(const std::filesystem::path& run_folder) {
+Outcome read_outcome(const std::filesystem::path& run_folder, Fields fields) {
   Outcome outcome;
   try {
     outcome.document = read_whole(run_folder / "result.json");
@@ -42,7 +42,9 @@ Outcome read_outcome(const std::filesystem::path& run_folder) {
     } else if (result.value->case_sha256 != case_sha256(*run_case.value)) {
       outcome.fault = "result.json is of another case";
     } else {
-      outcome.fault = fault_of_fields(run_folder / "fields.h5", result.value->case_sha256);
+      if (fields == Fields::kept) {
+        outcome.fault = fault_of_fields(run_folder / "fields.h5", result.value->case_sha256);
+      }
       if (outcome.fault.empty()) outcome.result = *result.value;
     }
   } catch (const DataFolderError&) {

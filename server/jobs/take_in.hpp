@@ -15,7 +15,10 @@ struct Outcome {
   std::string fault;                    ///< why there is no result
 };
 
-Outcome read_outcome(const std::filesystem::path& run_folder);
+/// fields.h5 of a run that has its result: kept, and needed for the result to count, or removed.
+enum class Fields { kept, removed };
+
+Outcome read_outcome(const std::filesystem::path& run_folder, Fields fields = Fields::kept);
 
 /// Share of the run that is done, 0 to 1, from its progress.json; 0 where there is none.
 double read_fraction(const std::filesystem::path& run_folder);

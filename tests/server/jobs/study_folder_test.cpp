@@ -47,7 +47,7 @@ class StudyFolder : public testing::Test {
     asked.question.settings = {{{1, 4}, 1}, {{2, 4}, 0}};
     return asked;
   }
-  StudyRuns run(const StudyFile& asked, const StudyListener& listener = {}) {
+  StudyRuns run(const StudyFile& asked, const RunsListener& listener = {}) {
     worker.ran.clear();
     return run_study(asked, folder.path(), worker, listener);
   }

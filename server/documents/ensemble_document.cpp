@@ -1,0 +1,248 @@
+#include "server/documents/ensemble_document.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace leda::server {
+namespace {
+
+using nlohmann::json;
+using solver::CurvePoint;
+using solver::Distance;
+using solver::DistanceRange;
+using solver::DistanceSummary;
+using solver::ExceedanceQuantile;
+using solver::SobolIndex;
+
+json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
+
+json to_json(const DistanceRange& range) { return {range.low_m, or_null(range.high_m)}; }
+
+json to_json(const ExceedanceQuantile& q) {
+  return {{"exceedance", q.exceedance},
+          {"distance_m", or_null(q.distance_m)},
+          {"distance_is", !q.distance_m      ? "unknown"
+                          : q.is_lower_bound ? "lower-bound"
+                                             : "measured"},
+          {"text", distance_text(q)},
+          {"in_gap", q.in_gap},
+          {"by_ranks_m", to_json(q.by_ranks)},
+          {"by_replicates_m", to_json(q.by_replicates)}};
+}
+
+json to_json(const solver::ExceedanceCurve& curve) {
+  json points = json::array(), gaps = json::array();
+  for (const CurvePoint& p : curve.points) {
+    points.push_back({p.distance_m, p.probability, p.interval.low, p.interval.high});
+  }
+  for (const auto& gap : curve.gaps) {
+    gaps.push_back(
+        {{"from_m", gap.from_m}, {"to_m", gap.to_m}, {"probability_beyond", gap.probability}});
+  }
+  return {{"columns", {"distance_m", "probability_exceeded", "low", "high"}},
+          {"points", points},
+          {"gaps", gaps},
+          {"half_width", curve.half_width},
+          {"censored_beyond_m", or_null(curve.censored_beyond_m)}};
+}
+
+json to_json(const std::vector<std::optional<SobolIndex>>& indices,
+             const std::vector<solver::UncertainInput>& inputs) {
+  json out = json::object();
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    json& one = out[inputs[i].name];
+    if (!indices[i]) continue;
+    one = {{"first_order", indices[i]->first_order},
+           {"standard_error", indices[i]->standard_error}};
+  }
+  return out;
+}
+
+json to_json(const std::optional<solver::ChanceShare>& chance) {
+  if (!chance) return nullptr;
+  return {{"members", chance->members},
+          {"runs", chance->runs},
+          {"standard_deviation_m", chance->sd_m},
+          {"share_of_variance", or_null(chance->share)}};
+}
+
+json to_json(const std::optional<solver::CellShift>& shift) {
+  if (!shift) return nullptr;
+  return {{"pairs", shift->pairs},
+          {"mean_m", shift->mean_m},
+          {"standard_error_m", or_null(shift->standard_error_m)},
+          {"both_slid", shift->both_slid},
+          {"mean_ln_ratio", or_null(shift->mean_ln_ratio)},
+          {"standard_error_ln", or_null(shift->standard_error_ln)},
+          {"only_coarse_slid", shift->only_coarse_slid},
+          {"only_fine_slid", shift->only_fine_slid}};
+}
+
+json to_json(const DistanceSummary& of, const std::vector<solver::UncertainInput>& inputs) {
+  json quantiles = json::array(), beyond = json::array();
+  for (const auto& q : of.quantiles) quantiles.push_back(to_json(q));
+  for (const auto& one : of.beyond) {
+    beyond.push_back({{"distance_m", one.distance_m}, {"indices", to_json(one.indices, inputs)}});
+  }
+  return {{"quantiles", quantiles},
+          {"curve", to_json(of.curve)},
+          {"indices", to_json(of.indices, inputs)},
+          {"indices_beyond", beyond},
+          {"chance", to_json(of.chance)},
+          {"finer_cell", to_json(of.cell)}};
+}
+
+json inputs_document(const EnsembleRequest& asked) {
+  json inputs = json::array();
+  for (std::size_t i = 0; i < asked.places.size(); ++i) {
+    inputs.push_back({{"name", asked.plan.inputs[i].name},
+                      {"path", asked.places[i].path},
+                      {"apply", to_string(asked.places[i].apply)},
+                      {"scope", to_string(asked.plan.inputs[i].scope)}});
+  }
+  return inputs;
+}
+
+const char* kind_of_run(const MemberRun& run) {
+  if (run.finer) return "finer";
+  return run.repeat > 0 ? "seed" : "member";
+}
+
+std::string range_text(const DistanceRange& range) {
+  return range.high_m ? fmt::format("{:.1f} to {:.1f}", range.low_m, *range.high_m)
+                      : fmt::format("{:.1f} and more", range.low_m);
+}
+
+std::string table_of(const DistanceSummary& of, const char* name,
+                     const std::vector<solver::UncertainInput>& inputs) {
+  std::string text =
+      fmt::format("{:<16}{:>12}  {:<24}{:<24}\n", name, "m", "by ranks m", "by replicates m");
+  for (const auto& q : of.quantiles) {
+    text += fmt::format("  {:>4.0f} % exceed{:>12}  {:<24}{:<24}{}\n", 100 * q.exceedance,
+                        distance_text(q), range_text(q.by_ranks), range_text(q.by_replicates),
+                        q.in_gap ? "across a gap" : "");
+  }
+  text += "  decided by";
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!of.indices[i]) continue;
+    text += fmt::format(" {} {:.2f} \u00b1 {:.2f}", inputs[i].name, of.indices[i]->first_order,
+                        of.indices[i]->standard_error);
+  }
+  if (of.chance && of.chance->share) {
+    text += fmt::format(", chance {:.2f} ({:.1f} m)", *of.chance->share, of.chance->sd_m);
+  }
+  text += "\n";
+  if (of.cell && of.cell->standard_error_m) {
+    text += fmt::format("  finer cells: {:+.1f} \u00b1 {:.1f} m over {} pairs\n", of.cell->mean_m,
+                        *of.cell->standard_error_m, of.cell->pairs);
+  }
+  return text;
+}
+
+}  // namespace
+
+json to_document(const SectionEnsemble& ensemble) {
+  const auto& plan = ensemble.asked.plan;
+  const auto& s = ensemble.summary;
+  json by_status = json::object();
+  for (const auto& [status, count] : s.by_status) by_status[status] = count;
+  return {{"section", ensemble.section},
+          {"condition", ensemble_condition},
+          {"members", s.members},
+          {"by_status", by_status},
+          {"ended_by", to_string(s.ending)},
+          {"half_width", s.half_width},
+          {"wanted_half_width", plan.stop.half_width},
+          {"confidence", plan.stop.confidence},
+          {"sampling",
+           {{"method", to_string(plan.sampling.method)},
+            {"seed", plan.sampling.seed},
+            {"replicates", plan.sampling.replicates}}},
+          {"inputs", inputs_document(ensemble.asked)},
+          {"probability_of_sliding",
+           {{"value", s.probability_of_sliding}, {"low", s.sliding.low}, {"high", s.sliding.high}}},
+          {"retrogression", to_json(s.by_distance.at(Distance::retrogression), plan.inputs)},
+          {"runout", to_json(s.by_distance.at(Distance::runout), plan.inputs)},
+          {"core_s", s.core_s}};
+}
+
+MemberRow row_of(const EnsembleCase& ensemble, const MemberRun& run,
+                 std::optional<SectionResult> result) {
+  const Resolution resolution = ensemble.resolution_of(run);
+  MemberRow row;
+  row.section = ensemble.of.section.name;
+  row.run = run;
+  row.inputs = ensemble.inputs_of(run.member);
+  row.seed = resolution.seed;
+  row.cell_m = resolution.cell_m;
+  row.result = std::move(result);
+  return row;
+}
+
+void weigh(std::vector<MemberRow>& rows, std::size_t members) {
+  for (MemberRow& row : rows) {
+    const bool counts = row.run == MemberRun{row.run.member} && row.run.member < members;
+    row.weight = counts ? 1 / static_cast<double>(members) : 0;
+  }
+}
+
+std::vector<solver::Member> members_of(const std::vector<MemberRow>& rows) {
+  std::vector<solver::Member> members;
+  for (const MemberRow& row : rows) {
+    if (members.size() <= row.run.member) members.resize(row.run.member + 1);
+    solver::Member& member = members[row.run.member];
+    auto outcome = row.result ? solver::outcome_of(*row.result) : solver::MemberOutcome{};
+    if (row.run.finer) {
+      member.finer = std::move(outcome);
+    } else if (row.run.repeat > 0) {
+      member.repeats.push_back(std::move(outcome));
+    } else {
+      member.inputs = row.inputs;
+      member.outcome = std::move(outcome);
+    }
+  }
+  return members;
+}
+
+std::string members_csv_head(const std::vector<solver::UncertainInput>& inputs) {
+  std::string text = "section,member,kind,weight";
+  for (const auto& input : inputs) text += "," + input.name;
+  return text +
+         ",seed,cell_m,status,retrogression_m,retrogression_is,runout_m,runout_is,run_time_s,"
+         "case_sha256,version\r\n";
+}
+
+std::string members_csv_line(const MemberRow& row) {
+  std::string text =
+      fmt::format("\"{}\",{},{},{}", row.section, row.run.member, kind_of_run(row.run), row.weight);
+  for (const double input : row.inputs) text += fmt::format(",{}", input);
+  text += fmt::format(",{},{},", row.seed, row.cell_m);
+  if (!row.result) return text + "no-result,,,,,,,\r\n";
+  const SectionResult& r = *row.result;
+  return text + fmt::format("{},{},{},{},{},{},{},{}\r\n", to_string(r.status),
+                            r.crest_to_crest_retrogression_m, to_string(r.retrogression_is),
+                            r.runout_m, to_string(r.runout_is), r.run_time_s, r.case_sha256,
+                            r.version);
+}
+
+std::string distance_text(const ExceedanceQuantile& quantile) {
+  if (!quantile.distance_m) return "-";
+  return fmt::format("{}{:.1f}", quantile.is_lower_bound ? ">" : "", *quantile.distance_m);
+}
+
+std::string ensemble_table(const SectionEnsemble& ensemble) {
+  const auto& s = ensemble.summary;
+  std::string text = fmt::format("{} members", s.members);
+  for (const auto& [status, count] : s.by_status) text += fmt::format(", {} {}", count, status);
+  text += fmt::format("; ended by {} (curves known to {:.3f}), {:.0f} core-seconds\n",
+                      to_string(s.ending), s.half_width, s.core_s);
+  text += fmt::format("slides with probability {:.2f} ({:.2f} to {:.2f}), {}\n",
+                      s.probability_of_sliding, s.sliding.low, s.sliding.high, ensemble_condition);
+  for (const Distance distance : solver::distances) {
+    text += table_of(s.by_distance.at(distance), to_string(distance), ensemble.asked.plan.inputs);
+  }
+  return text;
+}
+
+}  // namespace leda::server

@@ -1,0 +1,60 @@
+#pragma once
+// What an ensemble says of one section: as JSON, its members as CSV, and a table for people.
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "server/documents/ensemble_case.hpp"
+#include "solver/ensemble/summary.hpp"
+
+namespace leda::server {
+
+/// Stands in every document, file and drawing of an ensemble.
+inline constexpr const char* ensemble_condition =
+    "conditional on a slide starting at the section: no yearly probability and no class of a "
+    "regulation";
+
+struct SectionEnsemble {
+  std::string section;
+  EnsembleRequest asked;
+  solver::EnsembleSummary summary;
+};
+
+/// Format: README.md of this folder, "The ensemble".
+nlohmann::json to_document(const SectionEnsemble& ensemble);
+
+/// One run of a section's ensemble, for members.csv.
+struct MemberRow {
+  std::string section;
+  MemberRun run;
+  double weight = 0;           ///< in the section's numbers; 0 of other seeds and finer cells
+  std::vector<double> inputs;  ///< as drawn
+  std::uint64_t seed = 0;      ///< of the particles
+  double cell_m = 0;
+  std::optional<SectionResult> result;
+};
+
+/// The row of a run, with a weight of 0.
+MemberRow row_of(const EnsembleCase& ensemble, const MemberRun& run,
+                 std::optional<SectionResult> result);
+
+/// Each of the first members counts the same, and nothing else does.
+void weigh(std::vector<MemberRow>& rows, std::size_t members);
+
+/// The members of a section with their repeats and finer pairs, by number.
+/// @pre the rows hold every member up to the last one
+std::vector<solver::Member> members_of(const std::vector<MemberRow>& rows);
+
+/// One line a run; "kind" is member, seed or finer. Columns of inputs have their names.
+std::string members_csv_head(const std::vector<solver::UncertainInput>& inputs);
+std::string members_csv_line(const MemberRow& row);
+
+/// "120.0", ">187.0" for a lower bound, "-" where it is not known.
+std::string distance_text(const solver::ExceedanceQuantile& quantile);
+
+/// Lines for a terminal.
+std::string ensemble_table(const SectionEnsemble& ensemble);
+
+}  // namespace leda::server
