@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "disk/sha256.hpp"
-#include "server/documents/execute_options.hpp"
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/object_reader.hpp"
 #include "server/documents/published_schema.hpp"
@@ -79,26 +78,6 @@ Parsed<CaseFile> parse_case_file(std::string_view text) {
   auto parsed = parse_json(text);
   if (!parsed) return {std::nullopt, std::move(parsed.faults)};
   return read_case_file(*parsed.value);
-}
-
-Parsed<CaseFile> parse_simulate_request(std::string_view text) {
-  auto parsed = parse_json(text);
-  if (!parsed) return {std::nullopt, std::move(parsed.faults)};
-  FaultList list;
-  ObjectReader body(*parsed.value, "", list);
-  Parsed<CaseFile> result;
-  if (const json* inputs = body.require("inputs")) {
-    ObjectReader reader(*inputs, "/inputs", list);
-    if (const json* document = reader.require("case")) {
-      result = read_case_file(*document, "/inputs/case");
-    }
-    reader.refuse_unknown();
-  }
-  read_execute_options(body, list);
-  body.refuse_unknown();
-  for (Fault& fault : list.take()) result.faults.push_back(std::move(fault));
-  if (!result.faults.empty()) result.value.reset();
-  return result;
 }
 
 std::string canonical_text(const CaseFile& case_file) { return to_document(case_file).dump(); }

@@ -24,9 +24,6 @@ Parsed<CaseFile> parse_case_file(std::string_view text);
 /// The same for a case inside another document. @param at pointer to it, "" at the root
 Parsed<CaseFile> read_case_file(const nlohmann::json& document, const std::string& at = "");
 
-/// The body of simulate-section: {"inputs": {"case": {...}}}; pointers start at /inputs/case.
-Parsed<CaseFile> parse_simulate_request(std::string_view text);
-
 nlohmann::json to_document(const CaseFile& case_file);
 
 /// One text for all documents that mean the same: keys sorted, defaults written out, no white

@@ -24,7 +24,7 @@ json with_definitions(const char* text) {
   return schema;
 }
 
-/// The case schema inside {"inputs": {"case": ...}}.
+/// The case schema inside {"inputs": {"case": ..., "ensemble": ...}}.
 json simulate_schema() {
   json inner = with_definitions(case_schema_text);
   json outer{{"$schema", inner["$schema"]},
@@ -35,10 +35,11 @@ json simulate_schema() {
              {"definitions", inner["definitions"]}};
   inner.erase("$schema");
   inner.erase("definitions");
-  outer["properties"]["inputs"] = {{"type", "object"},
-                                   {"additionalProperties", false},
-                                   {"required", {"case"}},
-                                   {"properties", {{"case", inner}}}};
+  outer["properties"]["inputs"] = {
+      {"type", "object"},
+      {"additionalProperties", false},
+      {"required", {"case"}},
+      {"properties", {{"case", inner}, {"ensemble", {{"$ref", "#/definitions/ensemble"}}}}}};
   return outer;
 }
 

@@ -219,8 +219,13 @@ bool Dispatcher::start_next() {
   return true;
 }
 
-/// Screens a section that was not screened yet. True where it needs no run: it is stable then.
+/// True where a section needs no run: others say enough without it, or screening, where it was not
+/// screened yet, finds it stable.
 bool Dispatcher::screened_out(OpenJob& job, std::size_t index, db::SectionRecord& section) {
+  if (const auto reason = job.work->not_needed(section); !reason.empty()) {
+    set_state(job, index, SectionState::left_out, reason);
+    return true;
+  }
   if (!section.screening.empty()) return false;
   const auto screened = job.work->screen(section);
   if (!screened) return false;

@@ -18,6 +18,12 @@ constexpr std::chrono::milliseconds shortest_between_reports{500};
 // Progress is read from a file a run. Where thousands go on a cluster, their folder is a network's.
 constexpr std::chrono::milliseconds between_reports_for_each_run{10};
 
+/// Where they stay, purge removes them with their folder.
+void remove_fields(const std::filesystem::path& run) {
+  std::error_code ignored;
+  std::filesystem::remove(run / "fields.h5", ignored);
+}
+
 }  // namespace
 
 std::vector<Dispatcher::Left> Dispatcher::left_running(const OpenJob& job) const {
@@ -122,6 +128,7 @@ void Dispatcher::take_in(OpenJob& job, std::size_t index, const std::string& run
   }
   store_.take_in(section.id, run, result, placed, outcome.document);
   remove_checkpoint_of(run);
+  if (!job.work->keeps_fields()) remove_fields(data_.run(run));
   const bool usable = result.status != RunStatus::unstable;
   job.sections.set_state(index, usable ? SectionState::finished : SectionState::failed);
   if (watch_.taken_in) watch_.taken_in(result);

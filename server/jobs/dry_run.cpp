@@ -24,13 +24,15 @@ json row_of(const db::SectionRecord& section) {
 struct Sum {
   std::size_t waiting = 0, left_out = 0, screened = 0, stable = 0;
   double particles = 0, most_particles = 0, likely_s = 0, longest_s = 0, disk = 0;
+  double spared_s = 0;  ///< of likely_s: runs that may turn out not to be needed
 
-  void add(const RunSize& size, const db::TypicalRun& typical) {
+  void add(const RunSize& size, const db::TypicalRun& typical, bool may_be_spared) {
     const RunCost cost = cost_of(size, typical);
     ++waiting;
     particles += size.particles;
     most_particles = std::max(most_particles, size.particles);
     likely_s += cost.likely_core_s;
+    if (may_be_spared) spared_s += cost.likely_core_s;
     longest_s += cost.longest_core_s;
     disk += cost.disk_bytes;
   }
@@ -63,6 +65,7 @@ json estimate_of(const Sum& sum, const db::TypicalRun& typical) {
           {"stable", std::llround(static_cast<double>(sum.waiting) * (1 - share))},
           {"particles", std::round(sum.particles * share)},
           {"most_particles_of_a_run", std::round(sum.most_particles)},
+          {"core_hours_at_least", (sum.likely_s - sum.spared_s) * share / 3600},
           {"core_hours", sum.likely_s * share / 3600},
           {"core_hours_at_most", sum.longest_s / 3600},
           {"disk_bytes", std::round(sum.disk * share)},
@@ -82,7 +85,7 @@ json dry_run(const Process& process, const Work& work, std::vector<db::SectionRe
     json particles;
     if (section.state == db::SectionState::waiting) {
       const RunSize size = work.size(section);
-      sum.add(size, typical);
+      sum.add(size, typical, work.may_be_spared(section));
       particles = std::round(size.particles);
       if (i % every == 0) screen(work, section, sum);
     } else {

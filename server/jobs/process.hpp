@@ -44,6 +44,15 @@ class Work {
   };
   virtual std::optional<Screened> screen(const db::SectionRecord& /*section*/) const { return {}; }
 
+  /// Why a section whose turn has come is not run any more, from what others gave; empty: it is.
+  virtual std::string not_needed(const db::SectionRecord& /*section*/) const { return ""; }
+
+  /// Whether not_needed() may spare a section: the least of a dry run is without it.
+  virtual bool may_be_spared(const db::SectionRecord& /*section*/) const { return false; }
+
+  /// Whether fields.h5 stays when a result was taken in.
+  virtual bool keeps_fields() const { return true; }
+
   /// What the run of a section will take.
   virtual RunSize size(const db::SectionRecord& section) const = 0;
 

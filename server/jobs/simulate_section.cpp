@@ -2,7 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "server/documents/case_file.hpp"
+#include "server/documents/simulate_request.hpp"
+#include "server/jobs/section_ensemble.hpp"
 #include "server/jobs/without_map.hpp"
 #include "server/operate/problem.hpp"
 #include "solver/section/warnings.hpp"
@@ -34,12 +35,15 @@ class OneSection final : public WithoutMap {
 
 }  // namespace
 
-std::unique_ptr<Work> open_section(const std::string& request, const Library& /*library*/) {
+std::unique_ptr<Work> open_section(const std::string& request, const Library& library) {
   auto parsed = parse_simulate_request(request);
   if (!parsed) {
     throw Problem(Failure::invalid_request, "the request cannot be understood", parsed.faults);
   }
-  return std::make_unique<OneSection>(std::move(*parsed.value));
+  if (parsed.value->ensemble) {
+    return open_section_ensemble(std::move(*parsed.value->ensemble), library.store);
+  }
+  return std::make_unique<OneSection>(std::move(parsed.value->of));
 }
 
 }  // namespace leda::server

@@ -116,6 +116,32 @@ TEST_F(EnsembleOfABank, GoesOnWhereItWasKilled) {
   EXPECT_EQ(whole, resumed);
 }
 
+TEST_F(EnsembleOfABank, ComesOverHttpAsAJobOfItsMembers) {
+  LedaServer server(folder.path() / "data", {"--workers", "2"});
+  json of = bank(), ensemble = of["ensemble"];
+  of.erase("ensemble");
+  ensemble["stop"] = {{"min_members", 16}, {"max_members", 64}, {"half_width", 0.5}};
+  ensemble.erase("check");
+  const json body{{"inputs", {{"case", of}, {"ensemble", ensemble}}}};
+  const auto accepted = server.client().Post("/processes/simulate-section/execution", body.dump(),
+                                             "application/json");
+  ASSERT_EQ(accepted->status, 201) << accepted->body;
+  const std::string job = json::parse(accepted->body)["jobID"];
+  const std::string ensemble_path = "/jobs/" + job + "/sections/bank/ensemble";
+  EXPECT_EQ(server.client().Get(ensemble_path)->status, 404);
+  ASSERT_EQ(server.wait_for_job(job)["status"], "successful");
+  const json document = server.get(ensemble_path);
+  EXPECT_EQ(document["ended_by"], "half-width");
+  EXPECT_EQ(document["members"], 16);
+  const auto drawing = server.client().Get(ensemble_path + "?f=svg");
+  EXPECT_TRUE(drawing->body.starts_with("<svg")) << drawing->body;
+  EXPECT_EQ(server.client().Get("/jobs/" + job + "/sections/other/ensemble")->status, 404);
+  const auto csv = server.client().Get("/jobs/" + job + "/members?f=csv");
+  const auto lines = std::ranges::count(csv->body, '\n');
+  EXPECT_GE(lines, 1 + 16);
+  EXPECT_LE(lines, 1 + 16 + 2) << "a free core begins no more than one of the next look";
+}
+
 TEST_F(EnsembleOfABank, ADryRunTellsItsCostAndRunsNothing) {
   const Output dry =
       run_leda({"ensemble", file(bank()), "--out", out().string(), "--dry-run", "--json"});

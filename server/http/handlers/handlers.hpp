@@ -43,6 +43,10 @@ Answer get_job_map(Site& site, const Call& call);
 // frames.cpp
 Answer get_frames(Site& site, const Call& call);
 
+// ensembles.cpp
+Answer get_section_ensemble(Site& site, const Call& call);
+Answer get_members(Site& site, const Call& call);
+
 // rasters.cpp
 Answer post_raster(Site& site, const Call& call);
 Answer get_rasters(Site& site, const Call& call);

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "disk/sha256.hpp"
+#include "server/documents/simulate_request.hpp"
 #include "server/documents/softening_names.hpp"
 #include "tests/server/documents/read_data.hpp"
 
@@ -145,7 +146,8 @@ TEST(SimulateRequest, HoldsACase) {
   const std::string text = test::read_case("small-bank.json");
   const auto request = parse_simulate_request(R"({"inputs": {"case": )" + text + "}}");
   ASSERT_TRUE(request) << test::text(request.faults);
-  EXPECT_EQ(case_sha256(*request.value), case_sha256(parsed(text)));
+  EXPECT_EQ(case_sha256(request.value->of), case_sha256(parsed(text)));
+  EXPECT_FALSE(request.value->ensemble);
 }
 
 TEST(SimulateRequest, PointersStartAtTheCase) {
