@@ -61,7 +61,8 @@ UncertainDocument::UncertainDocument(json document, const std::vector<InputPlace
       look_up(places[i], i, fmt::format("{}/inputs/{}/path", at, i), faults);
     }
   }
-  std::ranges::stable_partition(targets_, [](const Target& t) { return t.apply == Apply::set; });
+  std::stable_partition(targets_.begin(), targets_.end(),
+                        [](const Target& target) { return target.apply == Apply::set; });
 }
 
 void UncertainDocument::look_up(const InputPlace& place, std::size_t input, const std::string& at,
