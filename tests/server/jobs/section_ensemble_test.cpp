@@ -123,7 +123,7 @@ TEST_F(EnsembleJob, AFailedMemberIsCountedBothWays) {
 }
 
 TEST_F(EnsembleJob, ADryRunTellsTheLeastAndTheMost) {
-  const json estimate = dry_run(*find_process(job.process), *work, store)["estimate"];
+  const json estimate = dry_run(*find_process(job.process), *work, work->plan(), store)["estimate"];
   EXPECT_EQ(estimate["runs"], 64);
   EXPECT_NEAR(estimate["core_hours"].get<double>(),
               4 * estimate["core_hours_at_least"].get<double>(), 1e-9);
