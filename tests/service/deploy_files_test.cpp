@@ -62,6 +62,7 @@ TEST(DeployFiles, TheContainerHasEveryLibraryOfThePrograms) {
       {"libgdal.so", "libgdal32"},
       {"libhdf5_serial.so", "libhdf5-103-1"},
       {"libhwy.so", "libhwy1"},
+      {"libnlopt.so", "libnlopt0"},
       {"libspdlog.so", "libspdlog1.10"},
       {"libsqlite3.so", "libsqlite3-0"},
       {"libcrypto.so", "libssl3"},
