@@ -7,6 +7,7 @@
 #include "server/documents/case_file.hpp"
 #include "server/documents/execute_options.hpp"
 #include "server/documents/region_request.hpp"
+#include "server/documents/simulate_request.hpp"
 #include "server/documents/study_file.hpp"
 #include "tests/fuzz/require.hpp"
 
