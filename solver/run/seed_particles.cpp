@@ -5,6 +5,8 @@
 #include <map>
 #include <random>
 
+#include "solver/section/overburden.hpp"
+
 namespace leda::solver {
 
 namespace {
@@ -38,17 +40,6 @@ double highest(const Polyline& line) {
 double headroom(double height, double h) { return std::max(6 * h, height); }
 
 }  // namespace
-
-double overburden(const Section& section, Point p) {
-  double top = elevation_at(section.ground, p.x), weight = 0;
-  for (const Layer& layer : layers_at(section, p.x)) {
-    if (top <= p.z) break;
-    const double to = std::max(std::min(layer_bottom(section, layer, p.x), top), p.z);
-    weight += section.materials.at(layer.material).unit_weight * (top - to);
-    top = to;
-  }
-  return weight;
-}
 
 Seeded seed_particles(const Section& section, const Resolution& resolution) {
   Seeded seeded;

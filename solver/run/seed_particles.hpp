@@ -27,7 +27,4 @@ struct Seeded {
 /// than half of a soft clay plain above its peak strength before anything happens.
 Seeded seed_particles(const Section& section, const Resolution& resolution);
 
-/// Weight of the layers above a point, Pa, compression positive.
-double overburden(const Section& section, Point p);
-
 }  // namespace leda::solver

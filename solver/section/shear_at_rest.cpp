@@ -4,24 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/section/overburden.hpp"
+
 namespace leda {
 namespace {
 
 constexpr int columns = 40;
 constexpr int depths = 24;
-
-double total_stress(const Section& section, double x, double ground, double z) {
-  double stress = 0;
-  double top = ground;
-  for (const Layer& layer : layers_at(section, x)) {
-    if (top <= z) break;
-    const double bottom = std::max(z, layer_bottom(section, layer, x));
-    if (bottom >= top) continue;
-    stress += section.materials.at(layer.material).unit_weight * (top - bottom);
-    top = bottom;
-  }
-  return stress;
-}
 
 /// Calls visit(material, strength, shear, cell) for points that are the middle of as much of the
 /// ground as `cell`, m2.
@@ -39,7 +28,7 @@ void for_each_point(const Section& section, double lower_water_m, const Visit& v
       const double pore =
           section.water_table ? pore_pressure(section, {x, z + lower_water_m}) : 0.0;
       const double shear =
-          0.5 * std::abs(1 - m.k0) * std::max(0.0, total_stress(section, x, ground, z) - pore);
+          0.5 * std::abs(1 - m.k0) * std::max(0.0, overburden(section, {x, z}) - pore);
       visit(m, m.peak_strength.at(ground - z, z), shear, cell);
     }
   }

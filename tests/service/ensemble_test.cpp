@@ -9,6 +9,7 @@
 
 #include "tests/server/temporary_folder.hpp"
 #include "tests/service/leda_process.hpp"
+#include "tests/service/small_bank.hpp"
 
 namespace leda::tests {
 namespace {
@@ -17,21 +18,14 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 json bank() {
-  return json::parse(R"({
-    "name": "bank", "ground": [[0, 10], [25, 10], [31, 4], [45, 4]], "base_m": 2,
-    "layers": [{"material": "clay"}],
-    "materials": {"clay": {"unit_weight_kN_m3": 17, "shear_modulus_kPa": 1000,
-                           "poisson_ratio": 0.45, "peak_strength_kPa": 20,
-                           "softening": {"law": "exponential", "remolded_strength_kPa": 1,
-                                         "shape_factor": 8, "regularization": "none"}}},
-    "trigger": {"kind": "undrained", "then_toe_cut_m": 3},
-    "resolution": {"cell_m": 1, "particles_per_cell": 4}, "stop": {"max_time_s": 60},
-    "ensemble": {
+  json of = small_bank();
+  of["ensemble"] = json::parse(R"({
       "inputs": [{"name": "su", "path": "/materials/clay/peak_strength_kPa", "apply": "scale",
                   "distribution": {"type": "lognormal", "mean": 0.8, "cov": 0.4}}],
       "sampling": {"replicates": 4},
       "stop": {"min_members": 16, "max_members": 32, "half_width": 0.01},
-      "check": {"members": 2, "seeds": 2, "cell_m": 0.8}}})");
+      "check": {"members": 2, "seeds": 2, "cell_m": 0.8}})");
+  return of;
 }
 
 std::string text_of(const fs::path& file) {

@@ -6,27 +6,16 @@
 
 #include "tests/server/temporary_folder.hpp"
 #include "tests/service/leda_process.hpp"
+#include "tests/service/small_bank.hpp"
 
 namespace leda::tests {
 namespace {
 
 using nlohmann::json;
 
-json bank() {
-  return json::parse(R"({
-    "name": "bank", "ground": [[0, 10], [25, 10], [31, 4], [45, 4]], "base_m": 2,
-    "layers": [{"material": "clay"}],
-    "materials": {"clay": {"unit_weight_kN_m3": 17, "shear_modulus_kPa": 1000,
-                           "poisson_ratio": 0.45, "peak_strength_kPa": 20,
-                           "softening": {"law": "exponential", "remolded_strength_kPa": 1,
-                                         "shape_factor": 8, "regularization": "none"}}},
-    "trigger": {"kind": "undrained", "then_toe_cut_m": 3},
-    "resolution": {"cell_m": 1, "particles_per_cell": 4}, "stop": {"max_time_s": 60}})");
-}
-
 json inputs() {
-  return {{"name", "bank study"},      {"case", bank()}, {"cell_m", {1, 1.2}},
-          {"particles_per_cell", {4}}, {"seeds", 1},     {"reference", "finest"}};
+  return {{"name", "bank study"},      {"case", small_bank()}, {"cell_m", {1, 1.2}},
+          {"particles_per_cell", {4}}, {"seeds", 1},           {"reference", "finest"}};
 }
 
 class StudyOfABank : public testing::Test {
@@ -83,7 +72,7 @@ TEST_F(StudyOfABank, ComesOnTheCommandLineAndGoesOnWhereItWas) {
   document.erase("case");
   document["case_file"] = "bank.json";
   document["workers"] = 2;
-  file("bank.json", bank());
+  file("bank.json", small_bank());
   const std::string study = file("study.json", document);
   const Output first = run_leda({"study", study, "--out", out()});
   ASSERT_EQ(first.exit_code, 0) << first.errors;

@@ -116,6 +116,16 @@ struct Element {
         dt, [&](double x, double z) { return std::pair(lxx * x + lxz * z, lzx * x + lzz * z); });
   }
 
+  /// The same in every point, without shear in the plane, Pa.
+  void set_stress(double sxx, double szz, double syy) {
+    for (auto& pack : model.packs.pack) {
+      std::ranges::fill(pack.sxx, static_cast<Real>(sxx));
+      std::ranges::fill(pack.szz, static_cast<Real>(szz));
+      std::ranges::fill(pack.syy, static_cast<Real>(syy));
+      std::ranges::fill(pack.sxz, Real{0});
+    }
+  }
+
   Particles particles() const { return unpack(model.packs, model.grid.h); }
 };
 

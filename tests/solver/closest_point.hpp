@@ -2,6 +2,7 @@
 // Where a stress beyond the surface returns to, found another way than the kernel does: Tresca, or
 // Mohr and Coulomb without dilation, with a tension cut-off.
 
+#include <algorithm>
 #include <array>
 
 namespace leda::solver::test {
@@ -22,5 +23,11 @@ struct YieldBody {
 /// @param trial principal stresses in any order  @param g, lame elastic constants, Pa
 std::array<double, 3> closest_point(const std::array<double, 3>& trial, const YieldBody& body,
                                     double g, double lame);
+
+/// Principal stresses to compare whatever their order.
+inline std::array<double, 3> sorted(std::array<double, 3> s) {
+  std::ranges::sort(s);
+  return s;
+}
 
 }  // namespace leda::solver::test

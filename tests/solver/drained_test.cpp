@@ -36,21 +36,6 @@ Element<Real> element(const Sand& sand, double poisson_ratio = 0.3) {
   return Element<Real>(block);
 }
 
-template <class Real>
-void set_stress(Element<Real>& e, double sxx, double szz, double syy) {
-  for (auto& pack : e.model.packs.pack) {
-    std::ranges::fill(pack.sxx, static_cast<Real>(sxx));
-    std::ranges::fill(pack.szz, static_cast<Real>(szz));
-    std::ranges::fill(pack.syy, static_cast<Real>(syy));
-    std::ranges::fill(pack.sxz, Real{0});
-  }
-}
-
-std::array<double, 3> sorted(std::array<double, 3> s) {
-  std::ranges::sort(s);
-  return s;
-}
-
 // Stresses on all sides of the surface: faces, both edges, the apex, the cut-off and where it meets
 // them, the principal stress across the plane in every place.
 TYPED_TEST(Drained, ReturnsWhereTheActiveSetSays) {
@@ -65,7 +50,7 @@ TYPED_TEST(Drained, ReturnsWhereTheActiveSetSays) {
     double off = 0;
     for (int i = 0; i < 4000; ++i) {
       const std::array<double, 3> trial{stress(random), stress(random), stress(random)};
-      set_stress(e, trial[0], trial[1], trial[2]);
+      e.set_stress(trial[0], trial[1], trial[2]);
       e.strain(0, 0, 0, 0, 1);
       const Particle p = e.particles().front();
       const auto expected = sorted(closest_point(trial, body, g, lame));
@@ -84,7 +69,7 @@ TYPED_TEST(Drained, BiaxialTestFailsAtThePrincipalStressRatio) {
   for (const double pore : {0.0, 2e4}) {
     const Sand sand{0, 35, pore, 0};
     auto e = element<TypeParam>(sand);
-    set_stress(e, -5e4, -5e4, -5e4);
+    e.set_stress(-5e4, -5e4, -5e4);
     double sxx = -5e4;
     for (int i = 0; i < 4000; ++i) {  // pressed upright; sideways so that the cell pressure stays
       const double sideways = (-5e4 - sxx) / 5e7;
@@ -101,7 +86,7 @@ TYPED_TEST(Drained, BiaxialTestFailsAtThePrincipalStressRatio) {
 // Without dilation shear changes no volume: under undrained shear the mean stress stays.
 TYPED_TEST(Drained, ShearLeavesTheMeanStress) {
   auto e = element<TypeParam>({0, 30, 0, 0});
-  set_stress(e, -8e4, -1e5, -9e4);
+  e.set_stress(-8e4, -1e5, -9e4);
   for (int i = 0; i < 300; ++i) e.strain(1e-4, 0, 0, -1e-4, 1);
   const Particle p = e.particles().front();
   EXPECT_NEAR((p.sxx + p.szz + p.syy) / 3, -9e4, 1);
@@ -111,7 +96,7 @@ TYPED_TEST(Drained, ShearLeavesTheMeanStress) {
 // Dry sand is pulled apart without resistance.
 TYPED_TEST(Drained, SandHoldsNoTension) {
   auto e = element<TypeParam>({0, 35, 0, 0});
-  set_stress(e, -1e3, -1e3, -1e3);
+  e.set_stress(-1e3, -1e3, -1e3);
   for (int i = 0; i < 50; ++i) e.strain(1e-4, 0, 0, 1e-4, 1);
   const Particle p = e.particles().front();
   for (const double s : {p.sxx, p.szz, p.syy}) EXPECT_NEAR(s, 0, 0.01);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/section/overburden.hpp"
 #include "solver/statics/statics.hpp"
 #include "solver/statics/stiffness.hpp"
 #include "tests/solver/bank.hpp"

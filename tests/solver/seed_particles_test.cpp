@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/section/overburden.hpp"
 #include "tests/solver/bank.hpp"
 
 namespace leda::solver::test {

@@ -24,21 +24,6 @@ Element<Real> element(double tension = tensile, double poisson_ratio = 0.3) {
   return Element<Real>(block);
 }
 
-template <class Real>
-void set_stress(Element<Real>& e, double sxx, double szz, double syy) {
-  for (auto& pack : e.model.packs.pack) {
-    std::ranges::fill(pack.sxx, static_cast<Real>(sxx));
-    std::ranges::fill(pack.szz, static_cast<Real>(szz));
-    std::ranges::fill(pack.syy, static_cast<Real>(syy));
-    std::ranges::fill(pack.sxz, Real{0});
-  }
-}
-
-std::array<double, 3> sorted(std::array<double, 3> s) {
-  std::ranges::sort(s);
-  return s;
-}
-
 // Stresses on all sides of the surface, within and far beyond: faces, edges, corners and the apex,
 // the principal stress across the plane in every place.
 TYPED_TEST(Tension, ReturnsToTheClosestPoint) {
@@ -50,7 +35,7 @@ TYPED_TEST(Tension, ReturnsToTheClosestPoint) {
     double off = 0;
     for (int i = 0; i < 2000; ++i) {
       const std::array<double, 3> trial{stress(random), stress(random), stress(random)};
-      set_stress(e, trial[0], trial[1], trial[2]);
+      e.set_stress(trial[0], trial[1], trial[2]);
       e.strain(0, 0, 0, 0, 1);
       const Particle p = e.particles().front();
       const auto expected = sorted(closest_point(trial, {shear, t}, g, lame));
@@ -77,7 +62,7 @@ TYPED_TEST(Tension, UniaxialStretchEndsAtTheTensileStrength) {
 // What only opens a crack softens nothing: a pull alike in all directions is no shear.
 TYPED_TEST(Tension, APullFromAllSidesLeavesNoShearStrain) {
   Element<TypeParam> e = element<TypeParam>();
-  set_stress(e, 5e4, 5e4, 5e4);
+  e.set_stress(5e4, 5e4, 5e4);
   e.strain(0, 0, 0, 0, 1);
   const Particle p = e.particles().front();
   for (const double s : {p.sxx, p.szz, p.syy})
@@ -90,7 +75,7 @@ TYPED_TEST(Tension, ChangesNothingUnderCompression) {
   Element<TypeParam> with = element<TypeParam>(0);
   Element<TypeParam> without = element<TypeParam>(beyond_reach);
   for (auto* e : {&with, &without}) {
-    set_stress(*e, -8e4, -9e4, -8e4);
+    e->set_stress(-8e4, -9e4, -8e4);
     for (int i = 0; i < 100; ++i) e->strain(1e-4, 2e-5, 0, -1e-4, 1);
   }
   const Particle a = with.particles().front(), b = without.particles().front();
