@@ -38,6 +38,11 @@ json to_document(const Material& m) {
   if (m.remolded_rate) out["rate"]["remolded"] = leda::server::to_document(*m.remolded_rate);
   if (m.tensile_strength_Pa) out["tensile_strength_kPa"] = per_kilo(*m.tensile_strength_Pa);
   if (m.flow) out["flow"] = leda::server::to_document(*m.flow);
+  if (m.field) {
+    out["field"] = {{"cov", m.field->cov},
+                    {"horizontal_m", m.field->horizontal_m},
+                    {"vertical_m", m.field->vertical_m}};
+  }
   return out;
 }
 

@@ -115,6 +115,16 @@ void read_rates(const json& value, const std::string& at, Material& m, FaultList
   }
 }
 
+RandomField read_random_field(const json& value, const std::string& at, FaultList& faults) {
+  RandomField field;
+  ObjectReader reader(value, at, faults);
+  field.cov = reader.number("cov");
+  field.horizontal_m = reader.number("horizontal_m");
+  field.vertical_m = reader.number("vertical_m");
+  reader.refuse_unknown();
+  return field;
+}
+
 bool read_drains(ObjectReader& reader, FaultList& faults) {
   if (!reader.find("drainage")) return false;
   const std::string text = reader.text("drainage");
@@ -153,6 +163,9 @@ Material read_material(const json& value, const std::string& at, ReadMaterials& 
   }
   if (const json* flow = reader.find("flow")) {
     m.flow = read_flow(*flow, reader.at("flow"), faults);
+  }
+  if (const json* field = reader.find("field")) {
+    m.field = read_random_field(*field, reader.at("field"), faults);
   }
   reader.refuse_unknown();
   return m;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/ensemble/key.hpp"
+#include "solver/section/key.hpp"
 
 namespace leda::solver {
 

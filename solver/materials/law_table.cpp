@@ -13,6 +13,9 @@ namespace leda::solver {
 namespace {
 constexpr int strength_steps = 1000;  // of the largest strength: a rounding of at most 0.05 %
 
+constexpr double field_steps = 4;  // of a standard deviation of the logarithm
+constexpr double least_field_step = 1e-3;
+constexpr double field_reach = 5;  // standard deviations; what lies beyond takes the outermost row
 constexpr double pressure_step_Pa = 50;
 constexpr double no_cohesion_Pa = 1e-3;  // shares of the peak are taken
 
@@ -56,6 +59,31 @@ RateRow rate_row(const AdditivePowerRate& law) {
           .reference = law.reference_rate};
 }
 
+/// What the points of a row share.
+struct Step {
+  long number;
+  double peak, pore_pressure;
+};
+
+Step step_of_pressure(const Material& m, double pore_pressure) {
+  const long number = std::lround(pore_pressure / pressure_step_Pa);
+  const double peak = m.drained->cohesion_Pa * std::cos(radians(m.drained->friction_angle_deg));
+  return {number, std::max(peak, no_cohesion_Pa), static_cast<double>(number) * pressure_step_Pa};
+}
+
+Step step_of_strength(const Material& m, double strength) {
+  const double largest = m.peak_strength.largest();
+  const long number =
+      std::clamp(std::lround(strength / largest * strength_steps), 1L, 1L * strength_steps);
+  return {number, largest * static_cast<double>(number) / strength_steps, 0};
+}
+
+/// Shear yields first beyond twice the peak, which a random field may bring below what was given.
+double tension_of(const Material& m, double peak) {
+  if (!m.tensile_strength_Pa) return m.drains ? 0 : beyond_reach;
+  return m.drains ? *m.tensile_strength_Pa : std::min(*m.tensile_strength_Pa, 2 * peak);
+}
+
 RateRow rate_row(const std::optional<RateLaw>& law) {
   if (!law) return {};
   return std::visit([](const auto& one) { return rate_row(one); }, *law);
@@ -72,32 +100,44 @@ LawTableBuilder::LawTableBuilder(const Section& section, double cell_m) : cell_m
   for (const auto& [name, material] : section.materials) {
     materials_.push_back(&material);
     viscous_ = viscous_ || is_viscous(material);
-    rows_.emplace_back(strength_steps + 1, -1);
-    drained_rows_.emplace_back();
   }
+  rows_.resize(materials_.size());
 }
 
 std::int32_t LawTableBuilder::row(std::size_t material_index, double depth_m, double elevation_m,
-                                  double pore_pressure) {
+                                  double pore_pressure, double factor) {
   const Material& m = *materials_[material_index];
-  if (m.drains) {
-    const long bin = std::lround(pore_pressure / pressure_step_Pa);
-    const auto [known, is_new] = drained_rows_[material_index].try_emplace(bin, -1);
-    const double peak = m.drained->cohesion_Pa * std::cos(radians(m.drained->friction_angle_deg));
-    if (is_new) {
-      known->second = add(material_index, std::max(peak, no_cohesion_Pa),
-                          static_cast<double>(bin) * pressure_step_Pa);
-    }
-    return known->second;
+  const double strength = m.drains ? 0 : m.peak_strength.at(depth_m, elevation_m) * factor;
+  if (m.field && !m.drains) return row_of_field(material_index, strength);
+  const Step step = m.drains ? step_of_pressure(m, pore_pressure) : step_of_strength(m, strength);
+  const auto [known, is_new] = rows_[material_index].try_emplace(step.number, -1);
+  if (is_new) known->second = add(material_index, step.peak, step.pore_pressure);
+  return known->second;
+}
+
+std::int32_t LawTableBuilder::row_of_field(std::size_t material_index, double strength) {
+  const auto [known, is_new] = field_rows_.try_emplace(material_index);
+  FieldRows& rows = known->second;
+  if (is_new) rows = add_rows_of_field(material_index);
+  const double largest = materials_[material_index]->peak_strength.largest();
+  const long step = std::lround(std::log(strength / largest) / rows.step);
+  return rows.first +
+         static_cast<std::int32_t>(std::clamp(step, rows.lowest, rows.highest) - rows.lowest);
+}
+
+LawTableBuilder::FieldRows LawTableBuilder::add_rows_of_field(std::size_t material_index) {
+  const Material& m = *materials_[material_index];
+  const double sd = sd_of_logarithm(*m.field), largest = m.peak_strength.largest();
+  const double least = std::log(m.peak_strength.smallest() / largest);
+  FieldRows rows;
+  rows.step = std::max(sd / field_steps, least_field_step);
+  rows.lowest = std::lround((least - field_reach * sd) / rows.step);
+  rows.highest = std::lround(field_reach * sd / rows.step);
+  rows.first = static_cast<std::int32_t>(table_.rows());
+  for (long step = rows.lowest; step <= rows.highest; ++step) {
+    add(material_index, largest * std::exp(static_cast<double>(step) * rows.step), 0);
   }
-  const Strength& strength = m.peak_strength;
-  const double largest = strength.largest();
-  const double step = strength.at(depth_m, elevation_m) / largest * strength_steps;
-  const auto bin = static_cast<std::size_t>(std::clamp(std::lround(step), 1L, 1L * strength_steps));
-  std::int32_t& known = rows_[material_index][bin];
-  if (known < 0)
-    known = add(material_index, largest * static_cast<double>(bin) / strength_steps, 0);
-  return known;
+  return rows;
 }
 
 std::int32_t LawTableBuilder::add(std::size_t material_index, double peak, double pore_pressure) {
@@ -122,21 +162,21 @@ std::int32_t LawTableBuilder::add(std::size_t material_index, double peak, doubl
   t.line_slope.push_back(has_line ? (curve.last - curve.line_start) / length : 0.0);
   t.line_end.push_back(curve.line_end);
   t.last.push_back(curve.last);
-  t.tension.push_back(m.tensile_strength_Pa.value_or(m.drains ? 0 : beyond_reach));
+  t.tension.push_back(tension_of(m, peak));
   t.sin_friction.push_back(m.drains ? std::sin(radians(m.drained->friction_angle_deg)) : 0);
   t.pore_pressure.push_back(m.drains ? pore_pressure : 0);
   t.softens.push_back(m.softening ? 1 : 0);
   t.material.push_back(static_cast<std::int32_t>(material_index));
-  if (viscous_) add_viscous(m);
+  if (viscous_) add_viscous(m, peak);
   t.stiffest_speed = std::max(t.stiffest_speed, p_wave_speed(m));
   return static_cast<std::int32_t>(t.rows() - 1);
 }
 
-void LawTableBuilder::add_viscous(const Material& m) {
+void LawTableBuilder::add_viscous(const Material& m, double peak) {
   ViscousLaws& v = table_.viscous;
   leda::solver::add(rate_row(m.rate), v.rate);
   leda::solver::add(rate_row(m.remolded_rate), v.remolded_rate);
-  v.remolded.push_back(m.remolded_strength_Pa());
+  v.remolded.push_back(std::min(m.remolded_strength_Pa(), peak));
   HerschelBulkleyFlow flow;
   if (m.flow) {
     const auto* bingham = std::get_if<BinghamFlow>(&*m.flow);

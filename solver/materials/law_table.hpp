@@ -56,19 +56,32 @@ class LawTableBuilder {
   LawTableBuilder(const Section& section, double cell_m);
   /// Row for a material at a point; strengths within 0.1 % of the material's largest share a row,
   /// and so do pore pressures within 50 Pa where the ground drains.
+  /// @param factor of the random field at the point; with a field a quarter of the standard
+  /// deviation of its logarithm shares a row, which adds 0.5 % to that variance
   std::int32_t row(std::size_t material_index, double depth_m, double elevation_m,
-                   double pore_pressure = 0);
+                   double pore_pressure = 0, double factor = 1);
   const LawTable& table() const { return table_; }
 
  private:
+  /// Rows of a material with a random field, one a step of strength, upwards: a field takes
+  /// neighbours up and down, and only rows near one another are read without a gather.
+  struct FieldRows {
+    double step = 0;  ///< of the logarithm of the strength
+    long lowest = 0, highest = 0;
+    std::int32_t first = 0;
+  };
+
+  std::int32_t row_of_field(std::size_t material_index, double strength);
+  FieldRows add_rows_of_field(std::size_t material_index);
   std::int32_t add(std::size_t material_index, double peak, double pore_pressure);
-  void add_viscous(const Material& material);
+  void add_viscous(const Material& material, double peak);
 
   double cell_m_;
   bool viscous_ = false;
   std::vector<const Material*> materials_;
-  std::vector<std::vector<std::int32_t>> rows_;  ///< [material][strength in 0.1 % steps], -1: none
-  std::vector<std::map<long, std::int32_t>> drained_rows_;  ///< [material][pore pressure in steps]
+  /// [material][strength, or pore pressure where the ground drains, in steps]
+  std::vector<std::map<long, std::int32_t>> rows_;
+  std::map<std::size_t, FieldRows> field_rows_;  ///< of materials with a field
   LawTable table_;
 };
 

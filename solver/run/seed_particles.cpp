@@ -36,6 +36,11 @@ double highest(const Polyline& line) {
   return std::max_element(line.begin(), line.end(), [](Point a, Point b) { return a.z < b.z; })->z;
 }
 
+/// Rows of the lattice under a ground, both in m above the base.
+std::size_t rows_under(double ground, const std::vector<double>& rows) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(rows, ground) - rows.begin());
+}
+
 // Room above the ground for what is pushed up; rows that nothing reaches cost only memory.
 double headroom(double height, double h) { return std::max(6 * h, height); }
 
@@ -57,6 +62,12 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
   const auto cells_z = static_cast<std::size_t>(std::ceil(height / h - 1e-9));
   const auto materials = materials_of_layers(section);
   LawTableBuilder laws(section, h);
+  std::vector<double> rows, elevations;
+  for (std::size_t k = 0; k < cells_z * per_side; ++k) {
+    rows.push_back((static_cast<double>(k) + 0.5) * seeded.spacing);
+    elevations.push_back(rows.back() + seeded.origin_z);
+  }
+  SampledFields fields(section, resolution.seed, elevations);
   std::mt19937_64 random(resolution.seed);
   const std::size_t most = cells_x * cells_z * per_side * per_side;
   seeded.particles.reserve(most);
@@ -64,10 +75,11 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
   for (std::size_t i = 0; i < cells_x * per_side; ++i) {
     const double x = (static_cast<double>(i) + 0.5) * seeded.spacing;
     const double ground = elevation_at(section.ground, x + seeded.origin_x) - section.base_m;
-    for (std::size_t k = 0; k < cells_z * per_side; ++k) {
-      const double z = (static_cast<double>(k) + 0.5) * seeded.spacing;
-      if (z >= ground) break;
-      const Point at{x + seeded.origin_x, z + seeded.origin_z};
+    const std::size_t in_ground = rows_under(ground, rows);
+    fields.move_to(x + seeded.origin_x, in_ground);
+    for (std::size_t k = 0; k < in_ground; ++k) {
+      const double z = rows[k];
+      const Point at{x + seeded.origin_x, elevations[k]};
       const Named& named = materials.at(&layer_at(section, at));
       const Material& m = *named.material;
       const double vertical = overburden(section, at);
@@ -85,13 +97,14 @@ Seeded seed_particles(const Section& section, const Resolution& resolution) {
       p.szz = -vertical;
       p.mass = m.unit_weight / gravity * volume;
       p.volume = volume;
-      p.law = laws.row(named.index, ground - z, at.z, u);
+      p.law = laws.row(named.index, ground - z, at.z, u, fields.take(named.index, k));
       p.id = static_cast<std::int32_t>(seeded.particles.size());
       seeded.particles.push_back(p);
       seeded.start_x.push_back(static_cast<float>(p.x));
     }
   }
   seeded.laws = laws.table();
+  seeded.fields = fields.sampled();
   seeded.averages = nearly_incompressible(seeded.laws);
   return seeded;
 }

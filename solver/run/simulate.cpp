@@ -154,6 +154,7 @@ SectionResult result_of(RunState& run, const StageEnd& end) {
   warn(run, m, r.warnings);
   r.warnings.insert(r.warnings.end(), run.warnings.begin(), run.warnings.end());
   add_new(r.warnings, warnings_of(*run.section, *run.settings));
+  for (const SampledField& field : run.seeded.fields) r.warnings.push_back(field.told());
   mark_lower_bounds(r);
   return r;
 }

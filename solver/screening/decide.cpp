@@ -6,6 +6,7 @@
 
 #include "solver/screening/site_of_section.hpp"
 #include "solver/screening/toe_cut.hpp"
+#include "solver/screening/weak_ground.hpp"
 #include "solver/section/shear_at_rest.hpp"
 
 namespace leda::solver {
@@ -195,15 +196,19 @@ const char* to_string(Decision decision) {
 
 ScreeningResult screen(const Section& section, const RunSettings& settings,
                        const ScreeningMargins& margins) {
-  ScreeningResult result = screen_completely(section, settings, margins);
+  const auto weak = weak_ground(section);
+  ScreeningResult result = screen_completely(weak ? *weak : section, settings, margins);
+  if (weak) result.reasons.push_back(told_of_weak_ground(section));
   result.analytics = analytics_of(section);
   return result;
 }
 
 ScreeningResult screen_quickly(const Section& section, const RunSettings& settings,
                                const ScreeningMargins& margins) {
-  ScreeningResult result = Decider(section, settings, margins).decide(false);
+  const auto weak = weak_ground(section);
+  ScreeningResult result = Decider(weak ? *weak : section, settings, margins).decide(false);
   put_deciding_reason_first(result);
+  if (weak) result.reasons.push_back(told_of_weak_ground(section));
   result.analytics = analytics_of(section);
   return result;
 }

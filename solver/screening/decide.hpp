@@ -45,6 +45,8 @@ struct ScreeningResult {
 };
 
 /// Screens one section: every number, in tens of milliseconds. Never throws on a valid section.
+/// Factors are those of the weak ground where strength varies within it (weak_ground.hpp),
+/// analytics those of the mean.
 /// @pre validate(section, settings) is empty
 ScreeningResult screen(const Section& section, const RunSettings& settings,
                        const ScreeningMargins& margins = {});

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "solver/section/random_field.hpp"
 #include "solver/section/rate.hpp"
 
 namespace leda {
@@ -107,6 +108,9 @@ struct Material {
   std::optional<double> tensile_strength_Pa;  ///< before any softening; absent: no limit of its
                                               ///< own, and 0 of ground that drains
   std::optional<FlowLaw> flow;                ///< absent: no viscous stress beyond yield
+  /// s_up varies within the ground, and what a softening law derives from it; strengths that are
+  /// given in Pa stay, but are at most the peak of their place. Absent: s_up is as it stands.
+  std::optional<RandomField> field;
 
   /// What is left after all softening: the part of the strength that `rate` does not act on.
   double remolded_strength_Pa() const;

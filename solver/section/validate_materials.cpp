@@ -5,6 +5,7 @@
 
 #include "solver/section/fault_list.hpp"
 #include "solver/section/possible_materials.hpp"
+#include "solver/section/validate_field.hpp"
 
 namespace leda {
 namespace {
@@ -264,6 +265,7 @@ void check_material(const Material& m, const std::string& at, FaultList& faults)
   if (m.drains) check_drainage(m, at, faults);
   if (m.tensile_strength_Pa) check_tension(m, at + "/tensile_strength_kPa", faults);
   if (m.flow) std::visit(FlowCheck{at + "/flow", faults}, *m.flow);
+  if (m.field) check_field(m, at, faults);
 }
 
 /// Strain is averaged over one band in all of the ground: all that softens has to name the same.

@@ -8,6 +8,7 @@
 #include "solver/section/seen_by_particles.hpp"
 #include "solver/section/shear_at_rest.hpp"
 #include "solver/section/toe_cut.hpp"
+#include "solver/section/validate_field.hpp"
 
 namespace leda {
 namespace {
@@ -115,6 +116,7 @@ std::vector<std::string> warnings_of(const Section& section, const RunSettings& 
   warn_of_thin_layers(section, settings.resolution, warnings);
   warn_of_thin_cuts(section, settings, warnings);
   warn_of_water(section, warnings);
+  warn_of_fields(section, settings.resolution, warnings);
   add_new(warnings, warnings_of(section.materials));
   return warnings;
 }

@@ -64,6 +64,41 @@ TEST(Decide, TheMarginIsTheBoundary) {
   EXPECT_EQ(screen_quickly(sensitive_bank(0.99 * limit), {}).decision, Decision::simulate);
 }
 
+// A strength whose mean is clear of every margin, and whose 5 % fractile is not: exp(-1.645 s -
+// s^2/2), 0.593 of the mean at a coefficient of variation of 0.3.
+TEST(Decide, ThinksOfTheWeakGroundWhereStrengthVaries) {
+  const ScreeningMargins m;
+  const double cut = std::min(m.toe_cut_m, m.toe_cut_share * 10);
+  const double limit = strength_for(1 + m.factor, ground_cut_by(cut));
+  const double weak = std::exp(-1.6448536 * std::sqrt(std::log(1.09)) - std::log(1.09) / 2);
+  const auto varying = [&](double strength) {
+    Section s = sensitive_bank(strength);
+    s.materials["clay"].field = RandomField{0.3, 20, 2};
+    return s;
+  };
+  EXPECT_EQ(screen_quickly(sensitive_bank(1.01 * limit), {}).decision, Decision::stable);
+  EXPECT_EQ(screen_quickly(varying(1.01 * limit), {}).decision, Decision::simulate);
+  EXPECT_EQ(screen_quickly(varying(0.99 * limit / weak), {}).decision, Decision::simulate);
+  EXPECT_EQ(screen_quickly(varying(1.01 * limit / weak), {}).decision, Decision::stable);
+}
+
+TEST(Decide, WhatVariesIsScreenedAsItsFractileAndTold) {
+  Section varying = sensitive_bank(60e3);
+  varying.materials["clay"].field = RandomField{0.3, 20, 2};
+  const double weak = std::exp(-1.6448536 * std::sqrt(std::log(1.09)) - std::log(1.09) / 2);
+  const ScreeningResult with = screen(varying, {});
+  const ScreeningResult without = screen(sensitive_bank(weak * 60e3), {});
+  EXPECT_NEAR(*with.worst_intact, *without.worst_intact, 1e-6);
+  EXPECT_NEAR(*with.worst_toe_cut, *without.worst_toe_cut, 1e-6);
+  EXPECT_NEAR(*with.worst_at_rest, *without.worst_at_rest, 1e-6);
+  EXPECT_NEAR(*with.undrained.spencer, *without.undrained.spencer, 1e-4);
+  EXPECT_EQ(
+      with.reasons.back(),
+      "strength varies within the ground: factors are those of its 5 % fractile, clay 0.59 of "
+      "its mean");
+  EXPECT_EQ(with.reasons.front(), without.reasons.front());
+}
+
 TEST(Decide, ACutThatIsAskedForMustBeFurtherFromFailure) {
   const ScreeningMargins m;
   const double limit = strength_for(1 + m.asked_cut_factor, ground_cut_by(2));

@@ -127,6 +127,24 @@ TEST(OddSection, GroundLighterThanWaterIsRefusedWhereItIsWet) {
   EXPECT_TRUE(validate(s, {}).empty());
 }
 
+TEST(OddSection, ScalesOfFluctuationBeyondCellsAndSectionAreTold) {
+  Section s = test::bank();
+  RunSettings settings;
+  settings.resolution.cell_m = 1;
+  const auto with = [&](RandomField field) {
+    s.materials.at("clay").field = field;
+    return warnings_of(s, settings);
+  };
+  EXPECT_TRUE(with({0.2, 20, 2}).empty());
+  const auto told = with({0.2, 101, 1.9});
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0],
+            "material clay: field/horizontal_m is 101 m: longer than the section's length (100 m), "
+            "within which the strength hardly varies");
+  EXPECT_NE(told[1].find("field/vertical_m is 1.9 m"), std::string::npos);
+  EXPECT_NE(told[1].find("a cell of at most 0.95 m follows it"), std::string::npos);
+}
+
 TEST(OddSection, WaterBelowTheBaseIsTold) {
   Section s = test::bank();
   s.water_table->depth_m = 25;

@@ -75,6 +75,29 @@ TEST(ValidateMaterials, StrengthTables) {
             Pointers{"/m/S/peak_strength_kPa/at_elevation_m/1/0"});
 }
 
+TEST(ValidateMaterials, FieldsOfStrength) {
+  const auto with = [](RandomField field) {
+    return faults_of([&](Material& m) { m.field = field; });
+  };
+  EXPECT_EQ(with({0.2, 20, 2}), Pointers{});
+  EXPECT_EQ(with({1, 0.01, 1e5}), Pointers{});
+  EXPECT_EQ(with({0, 20, 2}), Pointers{"/m/S/field/cov"});
+  EXPECT_EQ(with({20, 20, 2}), Pointers{"/m/S/field/cov"}) << "per cent";
+  EXPECT_EQ(with({NAN, 0, -2}),
+            (Pointers{"/m/S/field/cov", "/m/S/field/horizontal_m", "/m/S/field/vertical_m"}));
+  EXPECT_EQ(with({0.2, 1e6, 1e-3}), (Pointers{"/m/S/field/horizontal_m", "/m/S/field/vertical_m"}));
+}
+
+TEST(ValidateMaterials, GroundThatDrainsHasNoFieldOfItsPeakStrength) {
+  EXPECT_EQ(faults_of([](Material& m) {
+              m.softening.reset();
+              m.drained = DrainedStrength{1e3, 30};
+              m.drains = true;
+              m.field = RandomField{0.2, 20, 2};
+            }),
+            Pointers{"/m/S/field"});
+}
+
 TEST(ValidateMaterials, UrmiStrengthsAreInOrder) {
   const Pointers remolded{"/m/S/softening/remolded_strength_kPa"};
   // 0.095 x 40 kPa = 3.8 kPa

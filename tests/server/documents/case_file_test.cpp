@@ -78,6 +78,10 @@ TEST(CaseFile, EveryKeyArrives) {
   EXPECT_EQ(m.at("middle").softening->regularization, Regularization::none);
   EXPECT_EQ(std::get<EinavRandolphSoftening>(m.at("middle").softening->law).strain_95, 0.7);
   EXPECT_EQ(std::get<ExponentialSoftening>(m.at("lower").softening->law).shape_factor, 80);
+  EXPECT_EQ(m.at("lower").field->cov, 0.23);
+  EXPECT_EQ(m.at("lower").field->horizontal_m, 31.5);
+  EXPECT_EQ(m.at("lower").field->vertical_m, 2.6);
+  EXPECT_FALSE(m.at("upper").field);
   EXPECT_EQ(std::get<LinearSoftening>(m.at("base").softening->law).remolded_strain, 2.3);
   EXPECT_EQ(std::get<DeySoftening>(m.at("spare").softening->law).large_strain, 20.3);
   EXPECT_EQ(std::get<ExcavationTrigger>(c.settings.trigger).polygon.size(), 4U);

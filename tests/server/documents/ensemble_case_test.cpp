@@ -68,6 +68,25 @@ TEST(EnsembleCase, MembersAreCasesOfTheirOwnThatDifferInTheirInputsAndSeeds) {
             case_sha256(*parse_case_file(parsed(bank()).value->case_of({7}).dump()).value));
 }
 
+TEST(EnsembleCase, AFieldMayBeUncertainAndEachMemberHasItsOwnSeed) {
+  json of = ensemble();
+  of["inputs"].push_back(input("variation", "/materials/S1/field/cov", "set",
+                               {{"type", "uniform"}, {"min", 0.1}, {"max", 0.4}}));
+  json document = bank(of);
+  document["materials"]["S1"]["field"] = {{"cov", 0.2}, {"horizontal_m", 20}, {"vertical_m", 2}};
+  const auto read = parsed(document);
+  ASSERT_TRUE(read) << test::text(read.faults);
+  const json one = read.value->case_of({0}), other = read.value->case_of({1});
+  EXPECT_EQ(one["materials"]["S1"]["field"]["cov"], read.value->inputs_of(0)[2]);
+  EXPECT_NE(one["materials"]["S1"]["field"]["cov"], other["materials"]["S1"]["field"]["cov"]);
+  EXPECT_NE(one["resolution"]["seed"], other["resolution"]["seed"]);
+  EXPECT_EQ(one["materials"]["S1"]["field"]["horizontal_m"], 20);
+
+  of["inputs"][2]["distribution"]["max"] = 1.5;
+  document["ensemble"] = of;
+  EXPECT_EQ(test::pointers(parsed(document).faults), Pointers{"/ensemble/inputs/2/distribution"});
+}
+
 TEST(EnsembleCase, TheCheckHasOtherSeedsAndFinerCells) {
   json of = ensemble();
   of["check"] = {{"cell_m", 0.25}, {"members", 2}, {"seeds", 3}};

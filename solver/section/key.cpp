@@ -1,6 +1,6 @@
-#include "solver/ensemble/key.hpp"
+#include "solver/section/key.hpp"
 
-namespace leda::solver {
+namespace leda {
 namespace {
 
 constexpr std::uint64_t golden = 0x9E3779B97F4A7C15;
@@ -33,4 +33,4 @@ Key Key::with(std::string_view part) const {
   return next;
 }
 
-}  // namespace leda::solver
+}  // namespace leda

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace leda::solver {
+namespace leda {
 
 /// 53 bits as a number within (0, 1), never 0 or 1.
 double unit_interval(std::uint64_t bits);
@@ -25,4 +25,4 @@ class Key {
   std::uint64_t state_;
 };
 
-}  // namespace leda::solver
+}  // namespace leda
