@@ -50,6 +50,21 @@ TEST(RegionRequest, SmallestHasTheDefaults) {
   EXPECT_EQ(r.settings.stop.max_time_s, 120);
 }
 
+TEST(RegionRequest, StrengthOfASoilModelMayVaryWithinTheGround) {
+  auto document = test::small_region();
+  auto& clay = document["inputs"]["soil"]["materials"]["clay"];
+  clay["field"] = {{"cov", 0.2}, {"horizontal_m", 40}, {"vertical_m", 2.5}};
+  const auto field = parsed(document).soil[0].materials.at("clay").field;
+  ASSERT_TRUE(field.has_value());
+  EXPECT_EQ(field->cov, 0.2);
+  EXPECT_EQ(field->horizontal_m, 40);
+  EXPECT_EQ(field->vertical_m, 2.5);
+  clay["field"]["cov"] = 2;
+  const auto faults = parse_region_request(document.dump(), DemNaming::registered_only).faults;
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].pointer, "/inputs/soil/materials/clay/field/cov");
+}
+
 TEST(RegionRequest, TenThousandSectionsAreAJobAndMoreThanTheLimitAreNot) {
   auto document = test::small_region();
   auto& along = document["inputs"]["sections"];
