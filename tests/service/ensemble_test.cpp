@@ -63,6 +63,33 @@ TEST_F(EnsembleOfABank, LeavesNumbersMembersAndADrawing) {
   EXPECT_FALSE(fs::exists(out() / "members" / "member-0" / "fields.h5"));
 }
 
+// The seed of a member is that of its field: what stands as it is on average falls in some of them.
+TEST_F(EnsembleOfABank, MembersDifferByTheirFieldsOfStrength) {
+  json of = bank();
+  json& clay = of["materials"]["clay"];
+  clay["peak_strength_kPa"] = 30;
+  clay["field"] = {{"cov", 0.3}, {"horizontal_m", 10}, {"vertical_m", 2}};
+  of["ensemble"]["inputs"] = json::parse(R"([
+      {"name": "variation", "path": "/materials/clay/field/cov", "apply": "set",
+       "distribution": {"type": "uniform", "min": 0.29, "max": 0.31}}])");
+  of["ensemble"]["stop"] = {{"min_members", 16}, {"max_members", 16}};
+  of["ensemble"].erase("check");
+  const Output done = run_leda({"ensemble", file(of), "--out", out().string(), "--json"});
+  ASSERT_EQ(done.exit_code, 0) << done.errors;
+  const json by_status = json::parse(done.text)["by_status"];
+  EXPECT_GT(by_status.value("stable", 0), 2) << by_status;
+  EXPECT_GT(by_status.value("at-rest", 0), 2) << by_status;
+  const json member = json::parse(text_of(out() / "members" / "member-0" / "result.json"));
+  EXPECT_NE(member["warnings"].dump().find("strength of clay varies"), std::string::npos);
+
+  clay["field"]["cov"] = 1e-6;
+  of["ensemble"]["inputs"][0]["distribution"] = {{"type", "uniform"}, {"min", 1e-6}, {"max", 2e-6}};
+  const Output none =
+      run_leda({"ensemble", file(of), "--out", (folder.path() / "none").string(), "--json"});
+  ASSERT_EQ(none.exit_code, 0) << none.errors;
+  EXPECT_EQ(json::parse(none.text)["by_status"]["stable"], 16);
+}
+
 /// Without what differs from one time to the next.
 json result_of(const fs::path& run) {
   json result = json::parse(text_of(run / "result.json"));
