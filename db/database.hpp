@@ -115,6 +115,9 @@ class Query {
   }
   void bind(int index, std::int64_t value) { statement_.bind(index, value); }
   void bind(int index, int value) { statement_.bind(index, value); }
+  void bind(int index, const std::optional<int>& value) {
+    value ? statement_.bind(index, *value) : statement_.bind(index);
+  }
   void bind(int index, bool value) { statement_.bind(index, value ? 1 : 0); }
   void bind(int index, const std::optional<std::string>& value) {
     value ? statement_.bind(index, *value) : statement_.bind(index);

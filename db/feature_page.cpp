@@ -23,16 +23,18 @@ constexpr const char* overlaps =
     "ELSE (?2 > ?4 AND box.west > box.east) OR box.west <= ?4 OR box.east >= ?2 END) AND ";
 
 /// Ids of features whose box may overlap the one that was asked for, which goes on to an east
-/// beyond 180 degrees (?10) as those in the tree do: so it is looked for a turn around as well.
+/// beyond 180 degrees (?9) as those in the tree do: so it is looked for a turn around as well.
 std::string near_the_box(const std::string& table) {
   std::string text = table + ".id IN (";
   for (const char* turn : {"- 360", "+ 0", "+ 360"}) {
     if (!text.ends_with('(')) text += " UNION ALL ";
-    text += "SELECT id FROM " + singular(table) + "_tree WHERE west <= ?10 " + turn +
+    text += "SELECT id FROM " + singular(table) + "_tree WHERE west <= ?9 " + turn +
             " AND east >= ?2 " + turn + " AND south <= ?5 AND north >= ?3";
   }
   return text + ") AND ";
 }
+
+constexpr const char* no_members = "sections.member_of IS NULL AND ";
 
 constexpr const char* of_shown_jobs =
     "JOIN jobs ON jobs.id = %.job_id AND jobs.state = 'successful' AND jobs.raster_id IS NOT NULL ";
@@ -81,17 +83,16 @@ std::string page_of(const std::string& table, const PageFilter& filter,
          ".id LIMIT max(?7, 0)";
 }
 
-void bind_page(Query& query, const PageFilter& filter, const std::string& last) {
+void bind_page(Query& query, const PageFilter& filter) {
   const MapBox box = filter.box.value_or(MapBox{});
   const double unrolled_east = box[2] + (box[0] > box[2] ? 360 : 0);
   query.with_some(filter.job, box[0], box[1], box[2], box[3], filter.id.value_or(0), filter.limit,
-                  filter.after, last, unrolled_east);
+                  filter.after, unrolled_east);
 }
 
-Coverage coverage_of(Database& database, const std::string& table, const std::string& kind) {
+Coverage coverage_of(Database& database, const std::string& table, const std::string& condition) {
   const std::string from = "FROM " + table + " " + with_table(of_shown_jobs, table) + "LEFT JOIN " +
-                           join_boxes(table) +
-                           (kind.empty() ? "WHERE ?1 = ''" : "WHERE zones.kind = ?1");
+                           join_boxes(table) + "WHERE " + condition + "TRUE";
   Coverage coverage;
   Query row(
       database,
@@ -99,7 +100,7 @@ Coverage coverage_of(Database& database, const std::string& table, const std::st
       "min(box.south), CASE WHEN max(box.west > box.east) THEN 180.0 ELSE max(box.east) END, "
       "max(box.north) " +
           from);
-  row.with(kind).next();
+  row.next();
   coverage.features = row.small_integer();
   if (!row.is_null()) coverage.box = MapBox{row.real(), row.real(), row.real(), row.real()};
   Query codes(database,
@@ -113,8 +114,9 @@ Coverage coverage_of(Database& database, const std::string& table, const std::st
 std::vector<SectionRecord> Store::section_page(const PageFilter& filter) const {
   return connection_->read([&](Database& database) {
     std::vector<SectionRecord> page;
-    Query rows(database, select_sections_without_ground() + page_of("sections", filter, ""));
-    bind_page(rows, filter, "");
+    Query rows(database,
+               select_sections_without_ground() + page_of("sections", filter, no_members));
+    bind_page(rows, filter);
     while (rows.next()) page.push_back(section_from(rows));
     return page;
   });
@@ -122,8 +124,9 @@ std::vector<SectionRecord> Store::section_page(const PageFilter& filter) const {
 
 int Store::count_sections(const PageFilter& filter) const {
   return connection_->read([&](Database& database) {
-    Query row(database, "SELECT count(*) FROM sections " + matches("sections", filter, "", false));
-    bind_page(row, filter, "");
+    Query row(database,
+              "SELECT count(*) FROM sections " + matches("sections", filter, no_members, false));
+    bind_page(row, filter);
     row.next();
     return row.small_integer();
   });
@@ -152,7 +155,8 @@ std::vector<std::string> Store::jobs_without_boxes() const {
     std::vector<std::string> jobs;
     Query rows(database,
                "SELECT id FROM jobs WHERE raster_id IS NOT NULL AND ("
-               "EXISTS (SELECT 1 FROM sections WHERE job_id = jobs.id AND id NOT IN "
+               "EXISTS (SELECT 1 FROM sections WHERE job_id = jobs.id AND member_of IS NULL "
+               "        AND id NOT IN "
                "        (SELECT section_id FROM section_boxes)) OR "
                "EXISTS (SELECT 1 FROM zones WHERE job_id = jobs.id AND id NOT IN "
                "        (SELECT zone_id FROM zone_boxes))) ORDER BY sequence");
@@ -163,7 +167,7 @@ std::vector<std::string> Store::jobs_without_boxes() const {
 
 Coverage Store::section_coverage() const {
   return connection_->read(
-      [&](Database& database) { return coverage_of(database, "sections", ""); });
+      [&](Database& database) { return coverage_of(database, "sections", no_members); });
 }
 
 }  // namespace leda::db

@@ -9,7 +9,7 @@
 namespace leda::db {
 
 /// JOIN and WHERE for a table of features, "sections" or "zones": ?1 the job, ?2 to ?5 the box,
-/// ?6 the id, ?9 as `condition` wants it, ?10 the box's east where it goes on beyond 180 degrees.
+/// ?6 the id, ?9 the box's east where it goes on beyond 180 degrees.
 /// @param condition of the caller, ends with AND, or empty
 /// @param in_order read in the order of ids, for a page; else as SQLite likes, for a count
 std::string matches(const std::string& table, const PageFilter& filter,
@@ -19,10 +19,9 @@ std::string matches(const std::string& table, const PageFilter& filter,
 std::string page_of(const std::string& table, const PageFilter& filter,
                     const std::string& condition);
 
-/// @param last what ?9 stands for
-void bind_page(Query& query, const PageFilter& filter, const std::string& last);
+void bind_page(Query& query, const PageFilter& filter);
 
-/// What the features of jobs that succeeded cover. @param kind of zones; empty for sections
-Coverage coverage_of(Database& database, const std::string& table, const std::string& kind);
+/// What the features of jobs that succeeded cover. @param condition ends with AND
+Coverage coverage_of(Database& database, const std::string& table, const std::string& condition);
 
 }  // namespace leda::db

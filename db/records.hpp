@@ -69,6 +69,16 @@ enum class SectionState {
 const char* to_string(SectionState state);
 std::optional<SectionState> section_state_from(const std::string& text);
 
+/// Which run of an ensemble a row stands for.
+struct MemberRecord {
+  int of = 0;           ///< ordinal of the section it is a member of
+  std::string section;  ///< its name
+  int number = 0;       ///< of the draw
+  int repeat = 0;       ///< the same draw with another seed; 0: the member itself
+  bool finer = false;   ///< the same draw with finer cells
+};
+
+/// A section of a job, or a member of one: that is given the ground of its section.
 struct SectionRecord {
   std::int64_t id = 0;  ///< given by the store
   std::string job;
@@ -87,12 +97,14 @@ struct SectionRecord {
   int attempts = 0;
   std::optional<SectionResult> result;
   std::optional<PlacedResult> placed;
+  std::optional<MemberRecord> member = std::nullopt;  ///< absent: a section
 };
 
 /// As much of a section as says whether it waits.
 struct SectionInLine {
   std::int64_t id = 0;
   SectionState state = SectionState::waiting;
+  bool is_member = false;
 };
 
 /// One try at a section. Every try is kept.

@@ -12,16 +12,30 @@ namespace leda::db {
 namespace {
 
 std::string select_with(const std::string& ground, const std::string& results) {
-  return "SELECT sections.id, sections.job_id, sections.ordinal, sections.name, sections.line, "
-         "sections.position_m, sections.trace, " +
+  return "SELECT sections.id, sections.job_id, sections.ordinal, sections.name, ground.line, "
+         "ground.position_m, ground.trace, " +
          ground +
-         ", sections.crest_x_m, sections.crest_z_m, sections.toe_x_m, sections.toe_z_m, "
+         ", ground.crest_x_m, ground.crest_z_m, ground.toe_x_m, ground.toe_z_m, "
          "sections.state, sections.reason, sections.screening, sections.warnings, "
          "sections.latest_run_id, "
-         "(SELECT count(*) FROM runs WHERE runs.section_id = sections.id), " +
+         "(SELECT count(*) FROM runs WHERE runs.section_id = sections.id), "
+         "sections.member_of, ground.name, sections.member, sections.member_repeat, "
+         "sections.member_finer, " +
          results +
-         " FROM sections LEFT JOIN results ON results.run_id = sections.latest_run_id "
+         " FROM sections JOIN sections AS ground ON ground.job_id = sections.job_id "
+         "AND ground.ordinal = coalesce(sections.member_of, sections.ordinal) "
+         "LEFT JOIN results ON results.run_id = sections.latest_run_id "
          "LEFT JOIN placements ON placements.run_id = results.run_id ";
+}
+
+std::optional<MemberRecord> member_from(Query& row) {
+  const bool is_section = row.is_null();
+  const MemberRecord member{.of = row.small_integer(),
+                            .section = row.text(),
+                            .number = row.small_integer(),
+                            .repeat = row.small_integer(),
+                            .finer = row.integer() != 0};
+  return is_section ? std::nullopt : std::optional(member);
 }
 
 std::string without(std::string columns, const std::string& column) {
@@ -31,7 +45,7 @@ std::string without(std::string columns, const std::string& column) {
 }  // namespace
 
 const std::string& select_sections() {
-  static const std::string select = select_with("sections.ground", result_columns());
+  static const std::string select = select_with("ground.ground", result_columns());
   return select;
 }
 
@@ -59,7 +73,8 @@ SectionRecord section_from(Query& row) {
                         .run = row.text(),
                         .attempts = row.small_integer(),
                         .result = std::nullopt,
-                        .placed = std::nullopt};
+                        .placed = std::nullopt,
+                        .member = member_from(row)};
   read_result(row, section);
   return section;
 }
@@ -81,20 +96,43 @@ const char* outcome_of_try(SectionState state, const std::string& reason) {
 
 }  // namespace
 
+namespace {
+
+void insert_section(Database& database, const std::string& job, const SectionRecord& s) {
+  Query(database,
+        "INSERT INTO sections (job_id, ordinal, name, line, position_m, trace, ground, "
+        "crest_x_m, crest_z_m, toe_x_m, toe_z_m, state, reason, screening, warnings) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .with(job, s.ordinal, s.name, s.line, s.order, to_json(s.trace), to_json(s.ground), s.crest.x,
+            s.crest.z, s.toe.x, s.toe.z, to_string(s.state), s.reason,
+            s.screening.empty() ? std::nullopt : std::optional(s.screening), to_json(s.warnings))
+      .run();
+}
+
+void insert_member(Database& database, const std::string& job, const SectionRecord& s) {
+  const MemberRecord& member = *s.member;
+  Query(database,
+        "INSERT INTO sections (job_id, ordinal, name, line, trace, ground, state, reason, "
+        "warnings, member_of, member, member_repeat, member_finer) "
+        "VALUES (?, ?, ?, -1, '[]', '[]', ?, ?, '[]', ?, ?, ?, ?)")
+      .with(job, s.ordinal, s.name, to_string(s.state), s.reason, member.of, member.number,
+            member.repeat, member.finer)
+      .run();
+}
+
+}  // namespace
+
 bool Store::set_sections(const std::string& job, const std::vector<SectionRecord>& sections) {
   return connection_->write([&](Database& database) {
     Query standing(database, "SELECT 1 FROM sections WHERE job_id = ? LIMIT 1");
     if (standing.with(job).next()) return false;
-    for (const SectionRecord& s : sections)
-      Query(database,
-            "INSERT INTO sections (job_id, ordinal, name, line, position_m, trace, ground, "
-            "crest_x_m, crest_z_m, toe_x_m, toe_z_m, state, reason, screening, warnings) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(job, s.ordinal, s.name, s.line, s.order, to_json(s.trace), to_json(s.ground),
-                s.crest.x, s.crest.z, s.toe.x, s.toe.z, to_string(s.state), s.reason,
-                s.screening.empty() ? std::nullopt : std::optional(s.screening),
-                to_json(s.warnings))
-          .run();
+    for (const SectionRecord& s : sections) {
+      if (s.member) {
+        insert_member(database, job, s);
+      } else {
+        insert_section(database, job, s);
+      }
+    }
     return true;
   });
 }
@@ -102,8 +140,22 @@ bool Store::set_sections(const std::string& job, const std::vector<SectionRecord
 std::vector<SectionRecord> Store::sections(const std::string& job) const {
   return connection_->read([&](Database& database) {
     std::vector<SectionRecord> all;
-    Query rows(database, select_sections() + "WHERE sections.job_id = ? ORDER BY ordinal");
+    Query rows(database, select_sections() +
+                             "WHERE sections.job_id = ? AND sections.member_of IS NULL "
+                             "ORDER BY sections.ordinal");
     rows.with(job);
+    while (rows.next()) all.push_back(section_from(rows));
+    return all;
+  });
+}
+
+std::vector<SectionRecord> Store::members(const std::string& job, int section) const {
+  return connection_->read([&](Database& database) {
+    std::vector<SectionRecord> all;
+    Query rows(database, select_sections_without_ground() +
+                             "WHERE sections.job_id = ? AND sections.member_of = ? "
+                             "ORDER BY sections.ordinal");
+    rows.with(job, section);
     while (rows.next()) all.push_back(section_from(rows));
     return all;
   });
@@ -113,10 +165,14 @@ std::vector<SectionRecord> Store::sections(const std::string& job) const {
 std::vector<SectionInLine> Store::sections_in_line(const std::string& job) const {
   return connection_->read([&](Database& database) {
     std::vector<SectionInLine> all;
-    Query rows(database, "SELECT id, state FROM sections WHERE job_id = ? ORDER BY id");
+    Query rows(database,
+               "SELECT id, state, member_of IS NOT NULL FROM sections WHERE job_id = ? "
+               "ORDER BY id");
     rows.with(job);
     while (rows.next())
-      all.push_back({.id = rows.integer(), .state = section_state_from(rows.text()).value()});
+      all.push_back({.id = rows.integer(),
+                     .state = section_state_from(rows.text()).value(),
+                     .is_member = rows.integer() != 0});
     return all;
   });
 }

@@ -102,8 +102,14 @@ class Store {
   /// was killed and lays it out again) they are kept, with their runs and results, and the answer
   /// is false. Of each record `id`, `run`, `attempts`, `result` and `placed` are the store's own.
   bool set_sections(const std::string& job, const std::vector<SectionRecord>& sections);
-  std::vector<SectionRecord> sections(const std::string& job) const;          ///< by ordinal
-  std::vector<SectionInLine> sections_in_line(const std::string& job) const;  ///< by ordinal
+  /// Without members, by ordinal.
+  std::vector<SectionRecord> sections(const std::string& job) const;
+  /// Members of the section of that ordinal, by ordinal; without `ground` and the result's
+  /// `profile_after`.
+  std::vector<SectionRecord> members(const std::string& job, int section) const;
+  /// Sections and members, by ordinal.
+  std::vector<SectionInLine> sections_in_line(const std::string& job) const;
+  /// Of sections and members alike.
   std::optional<SectionRecord> section(const std::string& job, const std::string& name) const;
   std::optional<SectionRecord> section(std::int64_t section) const;
   /// Counts a try and remembers its run folder; state becomes running. A try still under way is
@@ -123,10 +129,10 @@ class Store {
   /// as it is. StoreError for an interrupted result or a run of another section.
   bool take_in(std::int64_t section, const std::string& run, const SectionResult& result,
                const PlacedResult& placed, const std::string& result_json);
-  /// Sections without `ground` and the result's `profile_after`.
+  /// Sections, no members, without `ground` and the result's `profile_after`.
   std::vector<SectionRecord> section_page(const PageFilter& filter) const;
   int count_sections(const PageFilter& filter) const;
-  /// Sections in a state, of all jobs.
+  /// Sections and members in a state, of all jobs.
   int count_sections(SectionState state) const;
   /// Every run of a job's sections: the names of their folders.
   std::vector<std::string> run_folders(const std::string& job) const;
@@ -143,8 +149,8 @@ class Store {
   /// Replaces the job's zones. StoreError where a zone names a section the job does not have.
   void set_zones(const std::string& job, const std::vector<Zone>& zones);
   std::vector<ZoneRecord> zones(const std::string& job) const;
-  std::vector<ZoneRecord> zone_page(ZoneKind kind, const PageFilter& filter) const;
-  int count_zones(ZoneKind kind, const PageFilter& filter) const;
+  std::vector<ZoneRecord> zone_page(ZoneLayer layer, const PageFilter& filter) const;
+  int count_zones(ZoneLayer layer, const PageFilter& filter) const;
 
   // Where sections and zones lie, in longitude and latitude
   /// Replaces those that stand.
@@ -153,7 +159,7 @@ class Store {
   /// Jobs on a DEM with a section or zone that has no box.
   std::vector<std::string> jobs_without_boxes() const;
   Coverage section_coverage() const;  ///< of all jobs that succeeded
-  Coverage zone_coverage(ZoneKind kind) const;
+  Coverage zone_coverage(ZoneLayer layer) const;
 
  private:
   class Connection;

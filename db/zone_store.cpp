@@ -9,17 +9,24 @@ namespace leda::db {
 
 namespace {
 
-const char* word(ZoneKind kind) { return kind == ZoneKind::release ? "release" : "runout"; }
+/// Which zones a layer shows; ends with AND.
+std::string in_layer(ZoneLayer layer) {
+  if (layer == ZoneLayer::probability) return "zones.exceedance IS NOT NULL AND ";
+  const char* kind = layer == ZoneLayer::release ? "release" : "runout";
+  return std::string("zones.kind = '") + kind + "' AND zones.exceedance IS NULL AND ";
+}
 
 void insert_zone(Database& database, const std::string& job, int ordinal, const Zone& zone) {
   Query insert(database,
                "INSERT INTO zones (job_id, ordinal, kind, area, largest_distance_m, "
-               "mean_distance_m, distance_is, warnings, made_by) "
-               "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) "
+               "mean_distance_m, distance_is, warnings, made_by, exceedance, members) "
+               "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
                "RETURNING id");
-  insert.with(job, ordinal, word(zone.kind), to_json(zone.area), zone.largest_distance_m,
+  const auto& p = zone.probability;
+  insert.with(job, ordinal, to_string(zone.kind), to_json(zone.area), zone.largest_distance_m,
               zone.mean_distance_m, to_string(zone.distance_is), to_json(zone.warnings),
-              zone.made_by);
+              zone.made_by, p ? std::optional(p->exceedance) : std::nullopt,
+              p ? std::optional(p->members) : std::nullopt);
   insert.next();
   const std::int64_t id = insert.integer();
   for (std::size_t i = 0; i < zone.sections.size(); ++i)
@@ -33,6 +40,7 @@ void insert_zone(Database& database, const std::string& job, int ordinal, const 
 const std::string columns =
     "SELECT zones.id, zones.job_id, zones.kind, zones.area, zones.largest_distance_m, "
     "zones.mean_distance_m, zones.distance_is, zones.warnings, zones.made_by, "
+    "zones.exceedance, zones.members, "
     "(SELECT group_concat(DISTINCT results.version) FROM zone_sections "
     " JOIN sections ON sections.job_id = zone_sections.job_id "
     "  AND sections.name = zone_sections.section "
@@ -54,11 +62,17 @@ std::vector<ZoneRecord> zones_from(Database& database, Query& rows) {
     record.zone = Zone{.kind = rows.text() == "release" ? ZoneKind::release : ZoneKind::runout,
                        .area = area_from_json(rows.text()),
                        .sections = sections_of_zone(database, record.id),
+                       .probability = std::nullopt,
                        .largest_distance_m = rows.real(),
                        .mean_distance_m = rows.real(),
                        .distance_is = bound_from(rows.text()).value(),
                        .warnings = words_from_json(rows.text()),
                        .made_by = rows.text()};
+    if (const auto exceedance = rows.optional_real()) {
+      record.zone.probability = ZoneProbability{*exceedance, rows.small_integer()};
+    } else {
+      rows.integer();
+    }
     record.version = rows.text();
     all.push_back(std::move(record));
   }
@@ -83,27 +97,27 @@ std::vector<ZoneRecord> Store::zones(const std::string& job) const {
   });
 }
 
-std::vector<ZoneRecord> Store::zone_page(ZoneKind kind, const PageFilter& filter) const {
+std::vector<ZoneRecord> Store::zone_page(ZoneLayer layer, const PageFilter& filter) const {
   return connection_->read([&](Database& database) {
-    Query rows(database, columns + page_of("zones", filter, "zones.kind = ?9 AND "));
-    bind_page(rows, filter, word(kind));
+    Query rows(database, columns + page_of("zones", filter, in_layer(layer)));
+    bind_page(rows, filter);
     return zones_from(database, rows);
   });
 }
 
-int Store::count_zones(ZoneKind kind, const PageFilter& filter) const {
+int Store::count_zones(ZoneLayer layer, const PageFilter& filter) const {
   return connection_->read([&](Database& database) {
-    Query row(database, "SELECT count(*) FROM zones " +
-                            matches("zones", filter, "zones.kind = ?9 AND ", false));
-    bind_page(row, filter, word(kind));
+    Query row(database,
+              "SELECT count(*) FROM zones " + matches("zones", filter, in_layer(layer), false));
+    bind_page(row, filter);
     row.next();
     return row.small_integer();
   });
 }
 
-Coverage Store::zone_coverage(ZoneKind kind) const {
+Coverage Store::zone_coverage(ZoneLayer layer) const {
   return connection_->read(
-      [&](Database& database) { return coverage_of(database, "zones", word(kind)); });
+      [&](Database& database) { return coverage_of(database, "zones", in_layer(layer)); });
 }
 
 }  // namespace leda::db

@@ -38,6 +38,15 @@ void collect(const OGRGeometry& geometry, double least_area, std::vector<MapPoly
   }
 }
 
+std::vector<MapPolygon> joined(const OGRMultiPolygon& pieces, double least_area) {
+  std::vector<MapPolygon> area;
+  if (pieces.IsEmpty() != 0) return area;
+  const GeometryHandle united(pieces.UnionCascaded());
+  if (!united) throw std::runtime_error("GEOS can't join a zone" + gdal_message());
+  collect(*united, least_area, area);
+  return area;
+}
+
 }  // namespace
 
 GeometryHandle to_ogr(const MapPolygon& polygon) {
@@ -75,12 +84,12 @@ std::vector<MapPolygon> union_of(const std::vector<MapLine>& rings, double least
     collect(*sound, 0, parts);
     for (const MapPolygon& part : parts) pieces.addGeometryDirectly(to_ogr(part).release());
   }
-  std::vector<MapPolygon> area;
-  if (pieces.IsEmpty() != 0) return area;
-  const GeometryHandle united(pieces.UnionCascaded());
-  if (!united) throw std::runtime_error("GEOS can't join a zone" + gdal_message());
-  collect(*united, least_area, area);
-  return area;
+  return joined(pieces, least_area);
+}
+
+std::vector<MapPolygon> union_of(const std::vector<MapPolygon>& polygons) {
+  const QuietGdal quiet;
+  return joined(*to_ogr(polygons)->toMultiPolygon(), 0);
 }
 
 }  // namespace leda::profiles

@@ -22,4 +22,7 @@ std::vector<MapPolygon> polygons_of(const OGRGeometry& geometry);
 /// @throws std::runtime_error where GEOS fails
 std::vector<MapPolygon> union_of(const std::vector<MapLine>& rings, double least_area);
 
+/// The union of valid polygons. @throws std::runtime_error where GEOS fails
+std::vector<MapPolygon> union_of(const std::vector<MapPolygon>& polygons);
+
 }  // namespace leda::profiles

@@ -79,12 +79,38 @@ std::vector<Column<ProfilePoint>> profile_columns(const RegionLayers& layers) {
   return columns;
 }
 
-std::vector<Column<ZoneRow>> zone_columns(const RegionLayers& layers, std::size_t most_bytes) {
+namespace {
+
+std::optional<double> exceedance_of(const ZoneRow& row) {
+  const auto& probability = row.zone->probability;
+  return probability ? std::optional(probability->exceedance) : std::nullopt;
+}
+
+std::optional<int> members_of(const ZoneRow& row) {
+  const auto& probability = row.zone->probability;
+  return probability ? std::optional(probability->members) : std::nullopt;
+}
+
+std::string condition_of(const ZoneRow& row) {
+  return row.zone->probability ? "conditional on a slide starting at the section" : "";
+}
+
+}  // namespace
+
+std::vector<Column<ZoneRow>> zone_columns(const RegionLayers& layers, bool of_ensemble,
+                                          std::size_t most_bytes) {
   using Z = ZoneRow;
   auto columns = origin_columns<Z>(layers);
   const auto add = [&](const char* name, const char* short_name, OGRFieldType type, auto get) {
     columns.push_back(column<Z>(name, short_name, type, get));
   };
+  if (of_ensemble) {
+    add("leda_kind", "leda_kind", OFTString,
+        [](const Z& z) { return std::string(to_string(z.zone->kind)); });
+    add("leda_exceedance", "leda_excd", OFTReal, exceedance_of);
+    add("leda_members", "leda_membs", OFTInteger, members_of);
+    add("leda_condition", "leda_cond", OFTString, condition_of);
+  }
   add("leda_sections", "leda_sects", OFTString,
       [most_bytes](const Z& z) { return joined_within(z.zone->sections, ", ", most_bytes); });
   add("leda_section_count", "leda_count", OFTInteger,

@@ -38,7 +38,8 @@ struct Column {
 std::vector<Column<SectionFeature>> section_columns(const RegionLayers& layers,
                                                     std::size_t most_bytes = any_length);
 std::vector<Column<ProfilePoint>> profile_columns(const RegionLayers& layers);
-std::vector<Column<ZoneRow>> zone_columns(const RegionLayers& layers,
+/// @param of_ensemble with what zones of an ensemble have beside
+std::vector<Column<ZoneRow>> zone_columns(const RegionLayers& layers, bool of_ensemble,
                                           std::size_t most_bytes = any_length);
 
 }  // namespace leda::profiles

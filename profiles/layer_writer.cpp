@@ -3,6 +3,7 @@
 #include <cpl_string.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <ctime>
 
 #include "profiles/areas.hpp"
@@ -81,11 +82,16 @@ void add_ground(Target target, const std::vector<Column<ProfilePoint>>& columns,
   }
 }
 
-std::vector<ZoneRow> rows_of(const RegionLayers& layers, ZoneKind kind) {
+bool has_ensemble(const RegionLayers& layers) {
+  return std::ranges::any_of(layers.zones,
+                             [](const Zone& zone) { return zone.probability.has_value(); });
+}
+
+std::vector<ZoneRow> rows_of(const RegionLayers& layers, const std::string& layer) {
   const double unit = crs_of(layers.epsg).GetLinearUnits();
   std::vector<ZoneRow> rows;
   for (const Zone& zone : layers.zones) {
-    if (zone.kind != kind) continue;
+    if (layer != to_string(layer_of(zone))) continue;
     const GeometryHandle area = to_ogr(zone.area);
     rows.push_back({&zone, area->toMultiPolygon()->get_Area() * unit * unit});
   }
@@ -106,10 +112,10 @@ void fill_layer(Target target, const RegionLayers& layers, const std::string& na
       add_ground(target, columns, s, s.ground_after, "after");
     }
   } else {
-    const auto columns = zone_columns(layers, most_bytes);
+    const auto columns =
+        zone_columns(layers, name == to_string(ZoneLayer::probability), most_bytes);
     add_fields(target, columns);
-    const ZoneKind kind = name == "release_zones" ? ZoneKind::release : ZoneKind::runout;
-    for (const ZoneRow& row : rows_of(layers, kind)) {
+    for (const ZoneRow& row : rows_of(layers, name)) {
       add_row(target, columns, row, to_ogr(row.zone->area));
     }
   }
@@ -134,7 +140,7 @@ void write_layer(GDALDataset& dataset, const RegionLayers& layers, const std::st
 }
 
 // The table QGIS looks for; GDAL registers it in gpkg_contents as `attributes`.
-void write_styles(GDALDataset& dataset) {
+void write_styles(GDALDataset& dataset, const RegionLayers& layers) {
   CPLStringList how;
   how.SetNameValue("FID", "id");
   OGRLayer* layer = dataset.CreateLayer("layer_styles", nullptr, wkbNone, how.List());
@@ -156,15 +162,15 @@ void write_styles(GDALDataset& dataset) {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
   gmtime_r(&now, &utc);
-  for (const char* name : layer_names) {
+  for (const std::string& name : layers_of(layers)) {
     OGRFeature style(layer->GetLayerDefn());
     for (const char* empty : {"f_table_catalog", "f_table_schema", "styleSLD", "owner", "ui"}) {
       style.SetField(empty, "");
     }
-    style.SetField("f_table_name", name);
+    style.SetField("f_table_name", name.c_str());
     style.SetField("f_geometry_column", "geom");
     style.SetField("styleName", "Leda");
-    style.SetField("styleQML", qgis_style(name).c_str());
+    style.SetField("styleQML", qgis_style(name, layers.zones).c_str());
     style.SetField("useAsDefault", 1);
     style.SetField("description", "Leda's style of this layer");
     style.SetField("update_time", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday, utc.tm_hour,
@@ -194,11 +200,18 @@ void close(DatasetHandle dataset, const fs::path& file) {
 
 }  // namespace
 
+std::vector<std::string> layers_of(const RegionLayers& layers) {
+  std::vector<std::string> names{"sections", "profiles", to_string(ZoneLayer::release),
+                                 to_string(ZoneLayer::runout)};
+  if (has_ensemble(layers)) names.emplace_back(to_string(ZoneLayer::probability));
+  return names;
+}
+
 void write_geopackage(const RegionLayers& layers, const fs::path& file) {
   DatasetHandle dataset = create("GPKG", file);
   if (dataset->StartTransaction() != OGRERR_NONE) fail("can't write " + file.string());
-  for (const char* name : layer_names) write_layer(*dataset, layers, name, false);
-  write_styles(*dataset);
+  for (const std::string& name : layers_of(layers)) write_layer(*dataset, layers, name, false);
+  write_styles(*dataset, layers);
   if (dataset->CommitTransaction() != OGRERR_NONE) fail("can't write " + file.string());
   close(std::move(dataset), file);
 }
@@ -215,16 +228,16 @@ void write_geojson(const RegionLayers& layers, const fs::path& file) {
   OGRFieldDefn which("layer", OFTString);
   layer->CreateField(&which);
   const auto of_sections = section_columns(world);
-  const auto of_zones = zone_columns(world);
+  const auto of_zones = zone_columns(world, has_ensemble(world));
   add_fields(target, of_sections);
   add_fields(target, of_zones);
   for (const SectionFeature& s : world.sections) {
     add_row(target, of_sections, s, to_ogr(s.trace), "sections");
   }
-  for (const ZoneKind kind : {ZoneKind::release, ZoneKind::runout}) {
-    const char* name = kind == ZoneKind::release ? "release_zones" : "runout_zones";
-    std::vector<ZoneRow> areas = rows_of(layers, kind);  // measured in the native CRS
-    std::vector<ZoneRow> rows = rows_of(world, kind);
+  for (const ZoneLayer of : all_zone_layers) {
+    const char* name = to_string(of);
+    std::vector<ZoneRow> areas = rows_of(layers, name);  // measured in the native CRS
+    std::vector<ZoneRow> rows = rows_of(world, name);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i].area_m2 = areas[i].area_m2;
       add_row(target, of_zones, rows[i], to_ogr(rows[i].zone->area), name);
@@ -236,8 +249,8 @@ void write_geojson(const RegionLayers& layers, const fs::path& file) {
 void write_layer_files(const RegionLayers& layers, const std::string& ending,
                        const fs::path& folder) {
   const bool shapefile = ending == "shp";
-  for (const char* name : layer_names) {
-    const fs::path file = folder / (std::string(name) + "." + ending);
+  for (const std::string& name : layers_of(layers)) {
+    const fs::path file = folder / (name + "." + ending);
     DatasetHandle dataset = create(shapefile ? "ESRI Shapefile" : "FlatGeobuf", file);
     write_layer(*dataset, layers, name, shapefile);
     close(std::move(dataset), file);

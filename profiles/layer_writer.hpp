@@ -9,9 +9,8 @@
 
 namespace leda::profiles {
 
-/// The layers in the order they are written.
-inline constexpr const char* layer_names[] = {"sections", "profiles", "release_zones",
-                                              "runout_zones"};
+/// The layers in the order they are written; probability zones where there was an ensemble.
+std::vector<std::string> layers_of(const RegionLayers& layers);
 
 /// One GeoPackage with every layer and its styles.
 void write_geopackage(const RegionLayers& layers, const std::filesystem::path& file);

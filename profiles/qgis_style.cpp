@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <utility>
 #include <vector>
+
+#include "profiles/probability_colours.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -56,10 +59,13 @@ std::string marker(const std::string& name, const std::string& colour) {
                  {"size_unit", "MM"}});
 }
 
-std::string document(const std::string& renderer) {
-  return "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
-         R"(<qgis version="3.22.0" styleCategories="Symbology">)" +
-         renderer + "</qgis>\n";
+constexpr const char* head =
+    "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
+    R"(<qgis version="3.22.0" styleCategories="Symbology|Rendering">)";
+
+// Opacity of the whole layer: zones that lie on each other do not hide the ground.
+std::string document(const std::string& renderer, double opacity = 1) {
+  return head + renderer + fmt::format("<layerOpacity>{}</layerOpacity></qgis>\n", opacity);
 }
 
 struct Category {
@@ -68,18 +74,21 @@ struct Category {
   std::string symbol;
 };
 
-std::string categorized(const std::string& field, const std::vector<Category>& categories) {
+std::string categorized(const std::string& field, const std::vector<Category>& categories,
+                        double opacity = 1) {
   std::string entries, symbols;
   for (std::size_t i = 0; i < categories.size(); ++i) {
     entries += fmt::format(R"(<category value="{}" label="{}" symbol="{}" render="true"/>)",
                            categories[i].value, categories[i].label, i);
     symbols += categories[i].symbol;
   }
-  return document(fmt::format(
-      R"(<renderer-v2 type="categorizedSymbol" attr="{}" symbollevels="0" enableorderby="0" )"
-      R"(forceraster="0"><categories>{}</categories><symbols>{}</symbols><rotation/><sizescale/>)"
-      "</renderer-v2>",
-      field, entries, symbols));
+  return document(
+      fmt::format(
+          R"(<renderer-v2 type="categorizedSymbol" attr="{}" symbollevels="0" enableorderby="0" )"
+          R"(forceraster="0"><categories>{}</categories><symbols>{}</symbols><rotation/><sizescale/>)"
+          "</renderer-v2>",
+          field, entries, symbols),
+      opacity);
 }
 
 // A zone whose distance is only a lower bound has a dashed edge: the ground may go further.
@@ -91,9 +100,53 @@ std::string zone(const std::string& colour, const std::string& outline) {
        {"", "", fill("2", colour, outline, "solid")}});
 }
 
+constexpr double over_hillshade = 0.6;  // the ground shows through
+
+std::string colour_text(Colour c) { return fmt::format("{},{},{},255", c.red, c.green, c.blue); }
+
+// The largest zone first, so that those inside it lie on top.
+std::string probability_zones(const std::vector<Zone>& zones) {
+  std::set<std::pair<ZoneKind, double>> seen;
+  for (const Zone& zone : zones) {
+    if (zone.probability) seen.emplace(zone.kind, zone.probability->exceedance);
+  }
+  std::vector<Category> categories;
+  for (const auto& [kind, p] : seen) {
+    const Colour colour = probability_colour(kind, p);
+    categories.push_back({fmt::format("{} {}", to_string(kind), p),
+                          fmt::format("{}, {:g} % of runs go beyond it", to_string(kind), 100 * p),
+                          fill(fmt::format("{}", categories.size()), colour_text(colour),
+                               colour_text({90, 90, 90}), "solid")});
+  }
+  return categorized("&quot;leda_kind&quot; || ' ' || &quot;leda_exceedance&quot;", categories,
+                     over_hillshade);
+}
+
 }  // namespace
 
-std::string qgis_style(const std::string& layer) {
+std::string qgis_raster_style(ZoneKind kind) {
+  std::string items = R"(<item alpha="0" value="0" label="never reached" color="#ffffff"/>)";
+  double from = 0;
+  const auto add = [&](double to) {
+    const Colour c = probability_colour(kind, to);
+    items += fmt::format(
+        R"(<item alpha="{}" value="{}" label="{:g} to {:g} %" color="#{:02x}{:02x}{:02x}"/>)",
+        int(255 * over_hillshade), to < 1 ? fmt::format("{}", to) : "inf", 100 * from, 100 * to,
+        c.red, c.green, c.blue);
+    from = to;
+  };
+  for (const double to : probability_classes) add(to);
+  add(1);
+  return head +
+         std::string(R"(<pipe><rasterrenderer type="singlebandpseudocolor" band="1" opacity="1" )"
+                     R"(classificationMin="0" classificationMax="1"><rastershader>)"
+                     R"(<colorrampshader colorRampType="DISCRETE" classificationMode="1" clip="0" )"
+                     R"(minimumValue="0" maximumValue="1">)") +
+         items + "</colorrampshader></rastershader></rasterrenderer></pipe></qgis>\n";
+}
+
+std::string qgis_style(const std::string& layer, const std::vector<Zone>& zones) {
+  if (layer == "probability_zones") return probability_zones(zones);
   if (layer == "release_zones") return zone("215,48,39,110", "165,0,38,255");
   if (layer == "runout_zones") return zone("253,174,97,110", "230,120,20,255");
   if (layer == "sections") {

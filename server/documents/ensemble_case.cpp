@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <utility>
 
 #include "server/documents/json_syntax.hpp"
+#include "server/documents/member_faults.hpp"
 #include "server/documents/published_schema.hpp"
 
 namespace leda::server {
@@ -13,63 +13,22 @@ namespace {
 
 using nlohmann::json;
 
-void check_finer_cell(const EnsembleCase& ensemble, const std::string& at, FaultList& faults) {
+void check_finer_cell(const Ensemble& ensemble, const std::string& at, FaultList& faults) {
   const auto& check = ensemble.asked.plan.check;
-  const double cell = ensemble.of.settings.resolution.cell_m;
-  if (!check || !check->cell_m) return;
+  const double cell = ensemble.resolution.cell_m;
+  if (!check || !check->cell_m || !(cell > 0)) return;  // a cell at fault was told
   faults.within(at + "/check/cell_m", *check->cell_m, *check->cell_m < cell,
-                "finer than the case's " + show(cell) + " m");
+                "finer than the " + show(cell) + " m of the members");
 }
 
-/// What is wrong with members: told once a place, of the first one, with how many it are.
-class FaultsOfMembers {
- public:
-  FaultsOfMembers(const EnsembleCase& ensemble, const std::string& at)
-      : ensemble_(ensemble), at_(at) {}
-
-  void look_at(const MemberRun& run) {
-    for (const Fault& fault : read_case_file(ensemble_.case_of(run)).faults) {
-      const auto input = ensemble_.document.input_at(fault.pointer);
-      std::string place = at_;
-      if (input) place = fmt::format("{}/inputs/{}/distribution", at_, *input);
-      if (run.finer) place = at_ + "/check/cell_m";
-      Told& told = by_place_[place];
-      if (told.count++ == 0) told.text = text_of(run, fault, input);
-    }
-  }
-
-  void tell(FaultList& faults) const {
-    for (const auto& [place, told] : by_place_) {
-      const std::string more =
-          told.count == 1 ? "" : fmt::format(" (and {} more like it)", told.count - 1);
-      faults.add(place, told.text + more);
-    }
-  }
-
- private:
-  struct Told {
-    std::string text;
-    std::size_t count = 0;
-  };
-
-  std::string text_of(const MemberRun& run, const Fault& fault,
-                      std::optional<std::size_t> input) const {
-    const std::string what =
-        input ? "draws " + show(ensemble_.inputs_of(run.member)[*input]) + ", with which "
-              : "cannot be run: ";
-    return fmt::format("{} {}{} {}", run_name(run), what, fault.pointer, fault.message);
-  }
-
-  const EnsembleCase& ensemble_;
-  const std::string& at_;
-  std::map<std::string, Told> by_place_;
-};
-
 void check_members(const EnsembleCase& ensemble, const std::string& at, FaultList& faults) {
-  FaultsOfMembers found(ensemble, at);
+  MemberFaults found(ensemble.document, at);
   for (const MemberRun& run :
        member_runs(ensemble.asked.plan, 0, ensemble.asked.plan.stop.max_members)) {
-    if (run.repeat == 0) found.look_at(run);  // others differ from these by their seed
+    if (run.repeat > 0) continue;  // they differ from these by their seed
+    for (const Fault& fault : read_case_file(ensemble.case_of(run)).faults) {
+      found.add(run_name(run), run.finer, ensemble.inputs_of(run.member), fault);
+    }
   }
   found.tell(faults);
 }
@@ -96,23 +55,29 @@ std::vector<MemberRun> member_runs(const solver::EnsemblePlan& plan, std::size_t
   return runs;
 }
 
-std::vector<double> EnsembleCase::inputs_of(std::size_t member) const {
-  return draws.inputs_of(place(), member);
+Resolution Ensemble::resolution_of(const solver::Place& place, const MemberRun& run) const {
+  Resolution of_run = resolution;
+  of_run.seed = draws.particle_seed(place, run.member, run.repeat);
+  if (run.finer) of_run.cell_m = asked.plan.check->cell_m.value();
+  return of_run;
 }
 
-Resolution EnsembleCase::resolution_of(const MemberRun& run) const {
-  Resolution resolution = of.settings.resolution;
-  resolution.seed = draws.particle_seed(place(), run.member, run.repeat);
-  if (run.finer) resolution.cell_m = asked.plan.check->cell_m.value();
-  return resolution;
+Ensemble drawn(EnsembleRequest asked, UncertainDocument document, const Resolution& given,
+               const std::string& at, FaultList& faults) {
+  const auto& plan = asked.plan;
+  auto draws = solver::Draws::make(plan.inputs, plan.correlations, plan.sampling,
+                                   plan.stop.min_members, plan.stop.max_members);
+  Ensemble ensemble{std::move(asked), std::move(document), std::move(draws.value()), given};
+  check_finer_cell(ensemble, at, faults);
+  return ensemble;
 }
 
 json EnsembleCase::case_of(const MemberRun& run) const {
   json document_of_run = document.with(inputs_of(run.member));
-  const Resolution resolution = resolution_of(run);
+  const Resolution own = resolution_of(run);
   document_of_run["name"] = of.section.name + " " + run_name(run);
-  document_of_run["resolution"]["seed"] = resolution.seed;
-  if (run.finer) document_of_run["resolution"]["cell_m"] = resolution.cell_m;
+  document_of_run["resolution"]["seed"] = own.seed;
+  if (run.finer) document_of_run["resolution"]["cell_m"] = own.cell_m;
   document_of_run.erase("output");
   return document_of_run;
 }
@@ -131,12 +96,9 @@ Parsed<EnsembleCase> read_ensemble_case(const json& document, const std::string&
   if (faults.empty()) faults = schema_faults(PublishedSchema::ensemble, ensemble, ensemble_at);
   add_new_faults(faults, std::move(of.faults));
   if (!faults.empty()) return {std::nullopt, std::move(faults)};
-  const auto& plan = asked.plan;
-  auto draws = solver::Draws::make(plan.inputs, plan.correlations, plan.sampling,
-                                   plan.stop.min_members, plan.stop.max_members);
-  EnsembleCase read{std::move(*of.value), std::move(asked), std::move(uncertain),
-                    std::move(draws.value())};
-  check_finer_cell(read, ensemble_at, list);
+  const Resolution given = of.value->settings.resolution;
+  EnsembleCase read{drawn(std::move(asked), std::move(uncertain), given, ensemble_at, list),
+                    std::move(*of.value)};
   if (members == Members::checked) check_members(read, ensemble_at, list);
   faults = list.take();
   if (!faults.empty()) return {std::nullopt, std::move(faults)};

@@ -28,16 +28,35 @@ std::string run_name(const MemberRun& run);
 std::vector<MemberRun> member_runs(const solver::EnsemblePlan& plan, std::size_t from,
                                    std::size_t before);
 
-struct EnsembleCase {
-  CaseFile of;  ///< with its numbers as given
+/// What was asked of members, and what is drawn for them.
+struct Ensemble {
   EnsembleRequest asked;
-  UncertainDocument document;
+  UncertainDocument document;  ///< that the paths of the inputs lead into
   solver::Draws draws;
+  Resolution resolution;  ///< as given
+
+  std::vector<double> inputs_of(const solver::Place& place, std::size_t member) const {
+    return draws.inputs_of(place, member);
+  }
+  /// Resolution of a run: its seed, and its cell where it is a finer one.
+  Resolution resolution_of(const solver::Place& place, const MemberRun& run) const;
+};
+
+/// An ensemble of a document, with the faults that are told once all others are mended.
+/// @pre no fault was found in `asked` and `document`
+Ensemble drawn(EnsembleRequest asked, UncertainDocument document, const Resolution& given,
+               const std::string& at, FaultList& faults);
+
+struct EnsembleCase : Ensemble {
+  CaseFile of;  ///< with its numbers as given
 
   solver::Place place() const { return {"", of.section.name}; }
-  std::vector<double> inputs_of(std::size_t member) const;
-  /// Resolution of a run: its seed, and its cell where it is a finer one.
-  Resolution resolution_of(const MemberRun& run) const;
+  std::vector<double> inputs_of(std::size_t member) const {
+    return Ensemble::inputs_of(place(), member);
+  }
+  Resolution resolution_of(const MemberRun& run) const {
+    return Ensemble::resolution_of(place(), run);
+  }
   /// A self-contained case file. Of its output the first and the last frame alone are kept.
   nlohmann::json case_of(const MemberRun& run) const;
 };

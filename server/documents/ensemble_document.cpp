@@ -109,6 +109,12 @@ const char* kind_of_run(const MemberRun& run) {
   return run.repeat > 0 ? "seed" : "member";
 }
 
+solver::MemberOutcome outcome_of(const MemberRow& row) {
+  if (row.result) return solver::outcome_of(*row.result);
+  if (row.screened_stable) return solver::stands();
+  return {};
+}
+
 std::string range_text(const DistanceRange& range) {
   return range.high_m ? fmt::format("{:.1f} to {:.1f}", range.low_m, *range.high_m)
                       : fmt::format("{:.1f} and more", range.low_m);
@@ -167,13 +173,50 @@ json to_document(const SectionEnsemble& ensemble) {
           {"core_s", s.core_s}};
 }
 
-MemberRow row_of(const EnsembleCase& ensemble, const MemberRun& run,
+namespace {
+
+json difference(const ExceedanceQuantile& from, const ExceedanceQuantile& to) {
+  const bool known = from.distance_m && to.distance_m && !from.is_lower_bound && !to.is_lower_bound;
+  return known ? json(*to.distance_m - *from.distance_m) : json();
+}
+
+json difference(const SectionEnsemble& from, const SectionEnsemble& to) {
+  json quantiles = json::array();
+  const auto& of_from = from.summary.by_distance;
+  const auto& of_to = to.summary.by_distance;
+  for (std::size_t i = 0; i < from.asked.plan.exceedance.size(); ++i) {
+    const auto of = [&](Distance distance) {
+      return difference(of_from.at(distance).quantiles[i], of_to.at(distance).quantiles[i]);
+    };
+    quantiles.push_back({{"exceedance", from.asked.plan.exceedance[i]},
+                         {"retrogression_m", of(Distance::retrogression)},
+                         {"runout_m", of(Distance::runout)}});
+  }
+  return {{"from", from.section},
+          {"to", to.section},
+          {"probability_of_sliding",
+           to.summary.probability_of_sliding - from.summary.probability_of_sliding},
+          {"quantiles", quantiles}};
+}
+
+}  // namespace
+
+json compare_ensembles(const std::vector<SectionEnsemble>& ensembles) {
+  json sections = json::array(), differences = json::array();
+  for (const SectionEnsemble& ensemble : ensembles) sections.push_back(to_document(ensemble));
+  for (std::size_t i = 1; i < ensembles.size(); ++i) {
+    differences.push_back(difference(ensembles[0], ensembles[i]));
+  }
+  return {{"condition", ensemble_condition}, {"sections", sections}, {"differences", differences}};
+}
+
+MemberRow row_of(const Ensemble& ensemble, const solver::Place& place, const MemberRun& run,
                  std::optional<SectionResult> result) {
-  const Resolution resolution = ensemble.resolution_of(run);
+  const Resolution resolution = ensemble.resolution_of(place, run);
   MemberRow row;
-  row.section = ensemble.of.section.name;
+  row.section = place.section;
   row.run = run;
-  row.inputs = ensemble.inputs_of(run.member);
+  row.inputs = ensemble.inputs_of(place, run.member);
   row.seed = resolution.seed;
   row.cell_m = resolution.cell_m;
   row.result = std::move(result);
@@ -192,7 +235,7 @@ std::vector<solver::Member> members_of(const std::vector<MemberRow>& rows) {
   for (const MemberRow& row : rows) {
     if (members.size() <= row.run.member) members.resize(row.run.member + 1);
     solver::Member& member = members[row.run.member];
-    auto outcome = row.result ? solver::outcome_of(*row.result) : solver::MemberOutcome{};
+    auto outcome = outcome_of(row);
     if (row.run.finer) {
       member.finer = std::move(outcome);
     } else if (row.run.repeat > 0) {
@@ -218,7 +261,10 @@ std::string members_csv_line(const MemberRow& row) {
       fmt::format("\"{}\",{},{},{}", row.section, row.run.member, kind_of_run(row.run), row.weight);
   for (const double input : row.inputs) text += fmt::format(",{}", input);
   text += fmt::format(",{},{},", row.seed, row.cell_m);
-  if (!row.result) return text + "no-result,,,,,,,\r\n";
+  if (!row.result) {
+    return text +
+           (row.screened_stable ? "stable,0,measured,0,measured,0,,\r\n" : "no-result,,,,,,,\r\n");
+  }
   const SectionResult& r = *row.result;
   return text + fmt::format("{},{},{},{},{},{},{},{}\r\n", to_string(r.status),
                             r.crest_to_crest_retrogression_m, to_string(r.retrogression_is),

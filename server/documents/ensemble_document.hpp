@@ -25,6 +25,10 @@ struct SectionEnsemble {
 /// Format: README.md of this folder, "The ensemble".
 nlohmann::json to_document(const SectionEnsemble& ensemble);
 
+/// Quantiles of several sections beside each other, and each section's against the first, later
+/// minus first: null where one of the two is a lower bound or not known. The curves of all.
+nlohmann::json compare_ensembles(const std::vector<SectionEnsemble>& ensembles);
+
 /// One run of a section's ensemble, for members.csv.
 struct MemberRow {
   std::string section;
@@ -34,10 +38,11 @@ struct MemberRow {
   std::uint64_t seed = 0;      ///< of the particles
   double cell_m = 0;
   std::optional<SectionResult> result;
+  bool screened_stable = false;  ///< not simulated: its distances are 0
 };
 
-/// The row of a run, with a weight of 0.
-MemberRow row_of(const EnsembleCase& ensemble, const MemberRun& run,
+/// The row of a run at a place of the ensemble, with a weight of 0.
+MemberRow row_of(const Ensemble& ensemble, const solver::Place& place, const MemberRun& run,
                  std::optional<SectionResult> result);
 
 /// Each of the first members counts the same, and nothing else does.

@@ -36,6 +36,56 @@ std::string read_dem(ObjectReader& reader, DemNaming naming, FaultList& faults) 
 }
 
 /// @param meaning faults of values that could be read
+RegionGround read_ground(ObjectReader& reader, const RegionLimits& limits,
+                         std::vector<Fault>& meaning, FaultList& faults) {
+  RegionGround ground;
+  if (const json* v = reader.require("soil")) {
+    ReadSoil soil = read_soil(*v, reader.at("soil"), limits, faults);
+    ground.soil = std::move(soil.models);
+    meaning = std::move(soil.meaning);
+  }
+  ground.settings = read_settings(reader, faults);
+  if (std::holds_alternative<ExcavationTrigger>(ground.settings.trigger)) {
+    faults.add(reader.at("trigger"),
+               "is an excavation, whose polygon belongs to one section; a region takes undrained");
+  }
+  for (Fault& fault : validate_settings(ground.settings)) {
+    meaning.push_back({reader.at("") + fault.pointer.substr(1), std::move(fault.message)});
+  }
+  return ground;
+}
+
+/// The members of `inputs` that a member of an ensemble may draw anew: sections are laid out once.
+json what_may_be_drawn(const json& inputs) {
+  json document = json::object();
+  for (const auto& [name, value] : inputs.items()) {
+    const bool fixed = name == "name" || name == "dem" || name == "sections" ||
+                       name == "screening" || name == "ensemble" || name == "dryRun";
+    if (!fixed) document[name] = value;
+  }
+  return document;
+}
+
+/// @param faults of the ensemble itself
+std::optional<RegionEnsemble> read_ensemble_of(const json& inputs, const RegionRequest& request,
+                                               FaultList& faults) {
+  const std::string at = "/inputs/ensemble";
+  if (!inputs.is_object() || !inputs.contains("ensemble")) return std::nullopt;
+  FaultList list;
+  EnsembleRequest asked = read_ensemble(inputs["ensemble"], at, list);
+  UncertainDocument document(what_may_be_drawn(inputs), asked.places, at, list);
+  auto found = list.take();
+  if (found.empty()) found = schema_faults(PublishedSchema::ensemble, inputs["ensemble"], at);
+  std::optional<RegionEnsemble> ensemble;
+  if (found.empty()) {
+    ensemble = RegionEnsemble{
+        drawn(std::move(asked), std::move(document), request.settings.resolution, at, faults)};
+  }
+  for (Fault& fault : found) faults.add(fault.pointer, fault.message);
+  return ensemble;
+}
+
+/// @param meaning faults of values that could be read
 RegionRequest read_inputs(ObjectReader& reader, DemNaming naming, const RegionLimits& limits,
                           std::vector<Fault>& meaning, FaultList& faults) {
   RegionRequest request;
@@ -44,30 +94,48 @@ RegionRequest read_inputs(ObjectReader& reader, DemNaming naming, const RegionLi
   if (const json* v = reader.require("sections")) {
     request.layout = read_sections(*v, reader.at("sections"), limits, faults);
   }
-  if (const json* v = reader.require("soil")) {
-    ReadSoil soil = read_soil(*v, reader.at("soil"), limits, faults);
-    request.soil = std::move(soil.models);
-    meaning = std::move(soil.meaning);
-  }
-  request.settings = read_settings(reader, faults);
-  if (std::holds_alternative<ExcavationTrigger>(request.settings.trigger)) {
-    faults.add(reader.at("trigger"),
-               "is an excavation, whose polygon belongs to one section; a region takes undrained");
-  }
+  RegionGround ground = read_ground(reader, limits, meaning, faults);
+  request.soil = std::move(ground.soil);
+  request.settings = std::move(ground.settings);
   if (const json* v = reader.find("screening")) {
     ObjectReader screening(*v, reader.at("screening"), faults);
     request.skip_stable = screening.boolean_or("skip_stable", true);
     screening.refuse_unknown();
   }
   reader.boolean_or("dryRun", false);  // see execute_options_of
+  reader.find("ensemble");             // see read_ensemble_of
   reader.refuse_unknown();
-  for (Fault& fault : validate_settings(request.settings)) {
-    meaning.push_back({"/inputs" + fault.pointer, std::move(fault.message)});
-  }
   return request;
 }
 
+/// Whether an input may have other values in other soil models.
+bool draws_by_soil(const Ensemble& ensemble) {
+  return std::ranges::any_of(ensemble.asked.plan.inputs, [](const solver::UncertainInput& input) {
+    return input.scope == solver::Scope::soil;
+  });
+}
+
 }  // namespace
+
+Parsed<RegionGround> RegionEnsemble::ground_of(const solver::Place& place,
+                                               std::size_t member) const {
+  json inputs = document.with(inputs_of(place, member));
+  const json::json_pointer models("/soil/models");
+  if (inputs.contains(models) && draws_by_soil(*this)) {
+    json& list = inputs[models];
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const solver::Place of_model{list[i]["name"].get<std::string>(), place.section};
+      list[i] = document.with(inputs_of(of_model, member))[models][i];
+    }
+  }
+  FaultList list;
+  std::vector<Fault> meaning;
+  ObjectReader reader(inputs, "", list);
+  Parsed<RegionGround> ground{read_ground(reader, {}, meaning, list), list.take()};
+  add_new_faults(ground.faults, std::move(meaning));
+  if (!ground.faults.empty()) ground.value.reset();
+  return ground;
+}
 
 Parsed<RegionRequest> parse_region_request(std::string_view text, DemNaming naming,
                                            const RegionLimits& limits) {
@@ -80,6 +148,7 @@ Parsed<RegionRequest> parse_region_request(std::string_view text, DemNaming nami
   if (const json* inputs = body.require("inputs")) {
     ObjectReader reader(*inputs, "/inputs", list);
     request = read_inputs(reader, naming, limits, meaning, list);
+    request.ensemble = read_ensemble_of(*inputs, request, list);
   }
   read_execute_options(body, list);
   body.refuse_unknown();

@@ -7,10 +7,24 @@
 
 #include "profiles/map/section_layout.hpp"
 #include "profiles/map/soil_model.hpp"
+#include "server/documents/ensemble_case.hpp"
 #include "server/documents/parsed.hpp"
 #include "solver/section/run_settings.hpp"
 
 namespace leda::server {
+
+/// What is under the ground of a region, and how its sections are run: what may be uncertain.
+struct RegionGround {
+  std::vector<SoilModel> soil;  ///< at least one
+  RunSettings settings;         ///< trigger: always undrained
+};
+
+/// The ensemble of every section of a region. Its paths lead into `inputs` without the layout.
+struct RegionEnsemble : Ensemble {
+  /// What a member of a section draws. A number that an input of scope `soil` gives a soil model
+  /// is drawn for that model, all others for `place`.
+  Parsed<RegionGround> ground_of(const solver::Place& place, std::size_t member) const;
+};
 
 struct RegionRequest {
   std::string name;
@@ -19,6 +33,7 @@ struct RegionRequest {
   std::vector<SoilModel> soil;  ///< at least one
   RunSettings settings;         ///< trigger: always undrained
   bool skip_stable = true;      ///< sections that screening calls stable are not simulated
+  std::optional<RegionEnsemble> ensemble;
 };
 
 struct RegionLimits {

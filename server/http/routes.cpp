@@ -44,7 +44,7 @@ constexpr std::array table{
           "sectionEnsemble image/svg+xml"},
     Route{"GET", "/jobs/{jobID}/members", get_members,
           "Members of an ensemble: inputs, weight, distances, cost", "f", "text/csv"},
-    Route{"GET", "/jobs/{jobID}/compare", get_compare, "Two sections side by side", "f sections",
+    Route{"GET", "/jobs/{jobID}/compare", get_compare, "Two sections side by side", "f of sections",
           "comparison image/svg+xml"},
     Route{"GET", "/jobs/{jobID}/sections/{name}/frames", get_frames,
           "The particles of its latest run over time", "field first count",
@@ -53,6 +53,10 @@ constexpr std::array table{
           "Sections and zones in the DEM's CRS, for drawing", "", "application/vnd.leda.map+json"},
     Route{"GET", "/jobs/{jobID}/export", get_export, "Sections and zones as a file", "f",
           "application/geopackage+sqlite3 application/geo+json application/zip"},
+
+    Route{"GET", "/jobs/{jobID}/rasters/{file}", get_job_raster,
+          "release_probability.tif or runout_probability.tif, or with .qml its style for QGIS", "",
+          "image/tiff application/xml"},
 
     Route{"POST", "/rasters", post_raster, "Register a DEM: the body is a GeoTIFF",
           "name vertical_unit epsg nodata", "raster", Role::submit},

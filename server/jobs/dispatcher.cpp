@@ -229,7 +229,7 @@ bool Dispatcher::screened_out(OpenJob& job, std::size_t index, db::SectionRecord
   if (!section.screening.empty()) return false;
   const auto screened = job.work->screen(section);
   if (!screened) return false;
-  store_.set_screening(section.id, screened->document);
+  if (!section.member) store_.set_screening(section.id, screened->document);
   section.screening = screened->document;
   if (!screened->skip) return false;
   set_state(job, index, SectionState::stable, "not simulated: " + screened->reason);

@@ -128,7 +128,7 @@ void Dispatcher::take_in(OpenJob& job, std::size_t index, const std::string& run
   }
   store_.take_in(section.id, run, result, placed, outcome.document);
   remove_checkpoint_of(run);
-  if (!job.work->keeps_fields()) remove_fields(data_.run(run));
+  if (section.member) remove_fields(data_.run(run));
   const bool usable = result.status != RunStatus::unstable;
   job.sections.set_state(index, usable ? SectionState::finished : SectionState::failed);
   if (watch_.taken_in) watch_.taken_in(result);
@@ -198,7 +198,7 @@ void Dispatcher::finish(const std::string& id, const Work& work) {
   const std::lock_guard lock(mutex_);
   const auto found = jobs_.find(id);
   if (found == jobs_.end()) return;
-  const StateCounts& counts = found->second.sections.counts();
+  const JobCounts& counts = found->second.sections.counts();
   const bool all_failed = counts.of(SectionState::failed) > 0 &&
                           counts.of(SectionState::finished) + counts.of(SectionState::stable) == 0;
   const JobState state = all_failed || !fault.empty() ? JobState::failed : JobState::successful;

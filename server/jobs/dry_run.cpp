@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "server/jobs/run_size.hpp"
 
@@ -26,8 +28,7 @@ struct Sum {
   double particles = 0, most_particles = 0, likely_s = 0, longest_s = 0, disk = 0;
   double spared_s = 0;  ///< of likely_s: runs that may turn out not to be needed
 
-  void add(const RunSize& size, const db::TypicalRun& typical, bool may_be_spared) {
-    const RunCost cost = cost_of(size, typical);
+  void add(const RunCost& cost, const RunSize& size, bool may_be_spared) {
     ++waiting;
     particles += size.particles;
     most_particles = std::max(most_particles, size.particles);
@@ -36,6 +37,37 @@ struct Sum {
     longest_s += cost.longest_core_s;
     disk += cost.disk_bytes;
   }
+};
+
+/// Of a member's folder, whose fields are removed: case, result, profile and log.
+constexpr double bytes_of_a_member = 40e3;
+
+/// Sizes of the runs of a job. A member is as large as its section, unless its cells are finer.
+class Sizes {
+ public:
+  Sizes(const Work& work, const std::vector<db::SectionRecord>& sections)
+      : work_(work), sections_(sections) {}
+
+  const RunSize& of(const db::SectionRecord& section) {
+    const int of = section.member ? section.member->of : section.ordinal;
+    const auto [known, is_new] = known_.try_emplace({of, kind_of(section)});
+    if (is_new) {
+      db::SectionRecord whole = sections_.at(static_cast<std::size_t>(of));
+      whole.member = section.member;
+      known->second = work_.size(whole);
+    }
+    return known->second;
+  }
+
+ private:
+  static int kind_of(const db::SectionRecord& section) {
+    if (!section.member) return 0;
+    return section.member->finer ? 2 : 1;
+  }
+
+  const Work& work_;
+  const std::vector<db::SectionRecord>& sections_;  ///< by ordinal
+  std::map<std::pair<int, int>, RunSize> known_;
 };
 
 /// Marks a section that screening finds stable. Of many sections every n-th is looked at.
@@ -77,20 +109,26 @@ json estimate_of(const Sum& sum, const db::TypicalRun& typical) {
 json dry_run(const Process& process, const Work& work, std::vector<db::SectionRecord> sections,
              const db::Store& store) {
   const db::TypicalRun typical = typical_or_default(store.typical_run());
-  const std::size_t every = sections.size() / most_screened_in_a_dry_run + 1;
+  const auto own = static_cast<std::size_t>(
+      std::ranges::count_if(sections, [](const auto& section) { return !section.member; }));
+  const std::size_t every = own / most_screened_in_a_dry_run + 1;
+  Sizes sizes(work, sections);
   Sum sum;
   json rows = json::array();
   for (std::size_t i = 0; i < sections.size(); ++i) {
     auto& section = sections[i];
     json particles;
     if (section.state == db::SectionState::waiting) {
-      const RunSize size = work.size(section);
-      sum.add(size, typical, work.may_be_spared(section));
+      const RunSize& size = sizes.of(section);
+      RunCost cost = cost_of(size, typical);
+      if (section.member) cost.disk_bytes = bytes_of_a_member;
+      sum.add(cost, size, work.may_be_spared(section));
       particles = std::round(size.particles);
-      if (i % every == 0) screen(work, section, sum);
+      if (i % every == 0 && !section.member) screen(work, section, sum);
     } else {
       ++sum.left_out;
     }
+    if (section.member) continue;
     rows.push_back(row_of(section));
     rows.back()["particles"] = particles;
   }
@@ -102,9 +140,10 @@ json dry_run(const Process& process, const Work& work, std::vector<db::SectionRe
 }
 
 double particles_of(const Work& work, const std::vector<db::SectionRecord>& sections) {
+  Sizes sizes(work, sections);
   double particles = 0;
   for (const auto& section : sections) {
-    if (section.state == db::SectionState::waiting) particles += work.size(section).particles;
+    if (section.state == db::SectionState::waiting) particles += sizes.of(section).particles;
   }
   return particles;
 }

@@ -18,7 +18,7 @@ EnsembleRuns run_ensemble(const EnsembleCase& ensemble, const std::filesystem::p
     for (std::size_t i = 0; i < runs.size(); ++i) {
       CaseRunEnd& end = ended.runs[i];
       if (!end.result) out.failures.push_back(wanted[i].name + ": " + end.reason);
-      out.rows.push_back(row_of(ensemble, runs[i], std::move(end.result)));
+      out.rows.push_back(row_of(ensemble, ensemble.place(), runs[i], std::move(end.result)));
     }
     from = members;
     auto summary = solver::summarize(plan, members_of(out.rows));

@@ -1,5 +1,7 @@
 #include "server/jobs/map_region.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <variant>
@@ -13,6 +15,7 @@
 #include "server/documents/case_file.hpp"
 #include "server/documents/screening_document.hpp"
 #include "server/jobs/job_limits.hpp"
+#include "server/jobs/region_members.hpp"
 #include "server/jobs/request_pointers.hpp"
 #include "server/operate/problem.hpp"
 #include "solver/screening/decide.hpp"
@@ -60,11 +63,6 @@ class RegionFaults {
   std::map<std::string, Told> by_place_;
 };
 
-Profile profile_of(const SectionRecord& section) {
-  return {
-      section.name, section.trace, section.ground, {section.crest, section.toe}, section.warnings};
-}
-
 SectionRecord record_of(const Profile& profile, const profiles::LaidSection& laid) {
   SectionRecord record;
   record.name = laid.name;
@@ -92,11 +90,13 @@ SectionRecord record_of(const LeftOut& left_out, const profiles::LaidSection& la
 class Region final : public Work {
  public:
   Region(std::string text, RegionRequest request, db::RasterRecord raster,
-         std::filesystem::path dem_file)
+         std::filesystem::path dem_file, const db::Store& store)
       : text_(std::move(text)),
         request_(std::move(request)),
         raster_(std::move(raster)),
-        dem_file_(std::move(dem_file)) {}
+        dem_file_(std::move(dem_file)) {
+    if (request_.ensemble) members_.emplace(request_, store);
+  }
 
   std::vector<SectionRecord> plan() const override {
     const auto dem = open_dem();
@@ -123,6 +123,10 @@ class Region final : public Work {
     // What no section escapes is a fault of the request; what some do is a reason to leave those
     // out and go on: real ground has banks that a soil or a trigger does not fit.
     if (!any_fits) refuse(of_laid);
+    if (members_) {
+      refuse_members(members_->check(sections, document));
+      add_members(sections, members_->plan());
+    }
     return sections;
   }
 
@@ -136,23 +140,40 @@ class Region final : public Work {
   std::vector<std::string> warnings() const override { return raster_.warnings; }
 
   std::string case_file(const SectionRecord& section) const override {
-    const auto built = profiles::build_section(profile_of(section), request_.soil);
-    return to_document(CaseFile{built.section, request_.settings}).dump(2) + "\n";
+    return to_document(case_of(section)).dump(2) + "\n";
   }
 
   RunSize size(const SectionRecord& section) const override {
     const auto built = profiles::build_section(profile_of(section), request_.soil);
-    return run_size(built.section, request_.settings);
+    RunSettings settings = request_.settings;
+    if (members_) {
+      settings.resolution = resolution_of(section, settings.resolution, members_->plan().check);
+    }
+    if (section.member) settings.output = Output{};
+    return run_size(built.section, settings);
   }
 
   std::optional<Screened> screen(const SectionRecord& section) const override {
-    const auto built = profiles::build_section(profile_of(section), request_.soil);
-    const auto result = solver::screen_quickly(built.section, request_.settings);
+    CaseFile of;
+    try {
+      of = case_of(section);
+    } catch (const std::runtime_error&) {
+      return std::nullopt;  // told when it is to be started
+    }
+    const auto result = solver::screen_quickly(of.section, of.settings);
     Screened screened;
     screened.document = to_document(result).dump();
     screened.skip = request_.skip_stable && result.decision == solver::Decision::stable;
     if (!result.reasons.empty()) screened.reason = result.reasons.front();
     return screened;
+  }
+
+  bool may_be_spared(const SectionRecord& section) const override {
+    return section.member && is_beyond_first_look(section, members_->plan());
+  }
+
+  std::string not_needed(const SectionRecord& section) const override {
+    return section.member ? members_->not_needed(section) : "";
   }
 
   PlacedResult place(const SectionRecord& section, const SectionResult& result) const override {
@@ -166,10 +187,24 @@ class Region final : public Work {
     for (const auto& section : sections) placed.push_back(on_the_map(section));
     profiles::ZonationOptions options;
     options.metres_per_unit = open_dem().info().metres_per_unit;
-    return profiles::make_zones(placed, options);
+    auto zones = profiles::make_zones(placed, options);
+    if (members_) std::ranges::move(members_->zones(sections, options), std::back_inserter(zones));
+    return zones;
   }
 
  private:
+  /// @throws std::runtime_error where a member draws what no section can have
+  CaseFile case_of(const SectionRecord& section) const {
+    if (section.member) {
+      auto member = members_->case_of(section);
+      if (member) return std::move(*member.value);
+      const Fault& fault = member.faults.front();
+      throw std::runtime_error("it draws what no section can have: " + fault.pointer + " " +
+                               fault.message);
+    }
+    return {profiles::build_section(profile_of(section), request_.soil).section, request_.settings};
+  }
+
   profiles::Dem open_dem() const {
     profiles::DemOptions options;
     options.missing_m = raster_.undeclared_fill_m;
@@ -213,6 +248,11 @@ class Region final : public Work {
     throw Problem(Failure::invalid_request, "the sections cannot be simulated", faults.list());
   }
 
+  static void refuse_members(const std::vector<Fault>& faults) {
+    if (faults.empty()) return;
+    throw Problem(Failure::invalid_request, "members of the ensemble cannot be simulated", faults);
+  }
+
   static void leave_out(SectionRecord& section, const std::vector<Fault>& faults) {
     section.state = SectionState::left_out;
     for (const auto& fault : faults) {
@@ -234,6 +274,7 @@ class Region final : public Work {
   RegionRequest request_;
   db::RasterRecord raster_;
   std::filesystem::path dem_file_;
+  mutable std::optional<RegionMembers> members_;  ///< its looks are of the dispatcher's thread
 };
 
 }  // namespace
@@ -257,7 +298,7 @@ std::unique_ptr<Work> open_region(const std::string& request, const Library& lib
                              "': register it with POST /rasters?name=, see GET /rasters"}});
   }
   return std::make_unique<Region>(request, std::move(*parsed.value), *raster,
-                                  library.data.root() / raster->file);
+                                  library.data.root() / raster->file, library.store);
 }
 
 }  // namespace leda::server

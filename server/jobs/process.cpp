@@ -39,9 +39,11 @@ nlohmann::json zones_output(const char* title) {
 
 nlohmann::json describe_region() {
   auto document = description_of(PublishedSchema::region_request);
-  document["outputs"] = {{"sections", output("Retrogression, runout and cost a section", "array")},
-                         {"release_zones", zones_output("Ground that may slide")},
-                         {"runout_zones", zones_output("Ground that debris may reach")}};
+  document["outputs"] = {
+      {"sections", output("Retrogression, runout and cost a section", "array")},
+      {"release_zones", zones_output("Ground that may slide")},
+      {"runout_zones", zones_output("Ground that debris may reach")},
+      {"probability_zones", zones_output("The same by probability, where there was an ensemble")}};
   return document;
 }
 

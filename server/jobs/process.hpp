@@ -20,7 +20,8 @@ class Work {
  public:
   virtual ~Work() = default;
 
-  /// Every section of the job, in order, waiting or left out with its reason.
+  /// Every section of the job, in order, waiting or left out with its reason, then the members of
+  /// their ensembles, without ground of their own.
   /// @throws Problem invalid_request with every fault that can be known before a run
   virtual std::vector<db::SectionRecord> plan() const = 0;
 
@@ -33,7 +34,7 @@ class Work {
   /// What is odd about the ground that all sections stand on.
   virtual std::vector<std::string> warnings() const { return {}; }
 
-  /// The self-contained case file of a section, for `leda simulate`.
+  /// The self-contained case file of a section or a member, for `leda simulate`.
   virtual std::string case_file(const db::SectionRecord& section) const = 0;
 
   /// What screening says of a waiting section; nothing where the job does not screen.
@@ -50,10 +51,7 @@ class Work {
   /// Whether not_needed() may spare a section: the least of a dry run is without it.
   virtual bool may_be_spared(const db::SectionRecord& /*section*/) const { return false; }
 
-  /// Whether fields.h5 stays when a result was taken in.
-  virtual bool keeps_fields() const { return true; }
-
-  /// What the run of a section will take.
+  /// What the run of a section, or of a member with the ground of its section, will take.
   virtual RunSize size(const db::SectionRecord& section) const = 0;
 
   virtual PlacedResult place(const db::SectionRecord& section,

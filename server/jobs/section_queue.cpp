@@ -8,12 +8,12 @@ using db::SectionState;
 
 SectionQueue::SectionQueue(std::vector<db::SectionInLine> sections)
     : sections_(std::move(sections)) {
-  for (const auto& section : sections_) counts_.add(section.state);
+  for (const auto& section : sections_) counts_of(section).add(section.state);
 }
 
 void SectionQueue::set_state(std::size_t index, SectionState state) {
   auto& section = sections_.at(index);
-  counts_.change(section.state, state);
+  counts_of(section).change(section.state, state);
   section.state = state;
   if (state == SectionState::waiting) none_waits_before_ = std::min(none_waits_before_, index);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The sections of an unfinished job as the dispatcher keeps them: 16 bytes each. All else of a
-// section is read from the store when its turn comes.
+// The sections of an unfinished job, with their members, as the dispatcher keeps them: 16 bytes
+// each. All else of a section is read from the store when its turn comes.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +21,7 @@ class SectionQueue {
   std::size_t size() const { return sections_.size(); }
   std::int64_t id(std::size_t index) const { return sections_.at(index).id; }
   db::SectionState state(std::size_t index) const { return sections_.at(index).state; }
-  const StateCounts& counts() const { return counts_; }
+  const JobCounts& counts() const { return counts_; }
 
   void set_state(std::size_t index, db::SectionState state);
 
@@ -29,8 +29,12 @@ class SectionQueue {
   std::optional<std::size_t> first_waiting() const;
 
  private:
+  StateCounts& counts_of(const db::SectionInLine& section) {
+    return section.is_member ? counts_.members : counts_.sections;
+  }
+
   std::vector<db::SectionInLine> sections_;
-  StateCounts counts_;
+  JobCounts counts_;
   mutable std::size_t none_waits_before_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "server/documents/execute_options.hpp"
@@ -58,10 +59,20 @@ std::unique_ptr<Work> opened(const Service& service, const Process& process,
 
 void refuse_too_large(const Service& service, const Work& work,
                       const std::vector<db::SectionRecord>& sections) {
-  if (sections.size() > service.limits.sections) {
+  const auto members = static_cast<std::size_t>(std::ranges::count_if(
+      sections, [](const auto& section) { return section.member.has_value(); }));
+  const std::size_t own = sections.size() - members;
+  if (own > service.limits.sections) {
     throw Problem(Failure::invalid_request,
-                  fmt::format("the job has {} sections, more than {}: split it", sections.size(),
+                  fmt::format("the job has {} sections, more than {}: split it", own,
                               service.limits.sections));
+  }
+  if (members > service.limits.members) {
+    throw Problem(Failure::invalid_request,
+                  fmt::format("the job has {} members of {} sections, more than {}: take fewer "
+                              "members or sections, or split it",
+                              members, own, service.limits.members),
+                  {{"/inputs/ensemble/stop/max_members", "makes too many members for one job"}});
   }
   const double particles = particles_of(work, sections);
   if (particles > service.limits.particles) {
@@ -153,7 +164,7 @@ Submitted submit(Service& service, const Process& process, const std::string& re
   service.store.set_sections(job.id, sections);
   keep_boxes(service.store, job);
   service.dispatcher.add(job.id);
-  log_info(job.id, "accepted process={} sections={} name={}", process.id, sections.size(),
+  log_info(job.id, "accepted process={} runs={} name={}", process.id, sections.size(),
            in_quotes(job.name));
   return {job, false};
 }

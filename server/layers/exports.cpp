@@ -3,7 +3,9 @@
 #include <cctype>
 #include <mutex>
 
+#include "server/layers/probability_rasters.hpp"
 #include "server/layers/region_layers.hpp"
+#include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {
@@ -11,36 +13,55 @@ namespace {
 namespace fs = std::filesystem;
 
 /// "JOB-20260131120000000.gpkg": another one once the job was retried.
-std::string name_of(const db::JobRecord& job, profiles::ExportFormat format) {
+std::string name_of(const db::JobRecord& job, const std::string& ending) {
   std::string name = job.id + "-";
   for (const char c : job.finished) {
     if (std::isdigit(static_cast<unsigned char>(c)) != 0) name += c;
   }
-  return name + profiles::file_ending(format);
+  return name + ending;
 }
 
-void remove_older(const fs::path& newest, const db::JobRecord& job, profiles::ExportFormat format) {
+void remove_older(const fs::path& newest, const db::JobRecord& job, const std::string& ending) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(newest.parent_path(), ignored)) {
     const std::string name = entry.path().filename().string();
-    const bool older = name.starts_with(job.id) && name.ends_with(profiles::file_ending(format)) &&
-                       entry.path() != newest;
+    const bool older = name.starts_with(job.id) && name.ends_with(ending) && entry.path() != newest;
     if (older) fs::remove(entry.path(), ignored);
   }
 }
+
+/// Exports take memory and processor time: one after the other.
+std::mutex exporting;
 
 }  // namespace
 
 fs::path export_of(const DataFolder& data, const db::Store& store, const db::JobRecord& job,
                    profiles::ExportFormat format) {
-  // Exports take memory and processor time: one after the other.
-  static std::mutex exporting;
-  fs::path file = data.exports() / name_of(job, format);
+  const std::string ending = profiles::file_ending(format);
+  fs::path file = data.exports() / name_of(job, ending);
   const std::lock_guard one_at_a_time(exporting);
   if (fs::exists(file)) return file;
   profiles::export_layers(region_layers(store, job), format, file);
-  remove_older(file, job, format);
+  remove_older(file, job, ending);
   return file;
+}
+
+fs::path raster_of(const DataFolder& data, const db::Store& store, const db::JobRecord& job,
+                   const std::string& name) {
+  const auto kind = raster_kind_from(name);
+  if (!kind) {
+    throw Problem(Failure::no_such_resource,
+                  "there is no raster '" + name + "': known are " + raster_name(ZoneKind::release) +
+                      " and " + raster_name(ZoneKind::runout) + ", with .qml for their styles");
+  }
+  const std::string ending = "-" + raster_name(*kind);
+  fs::path file = data.exports() / name_of(job, ending);
+  const std::lock_guard one_at_a_time(exporting);
+  if (!fs::exists(file)) {
+    write_probability_raster(data, store, job, *kind, file);
+    remove_older(file, job, ending);
+  }
+  return name.ends_with(".qml") ? file.replace_extension(".qml") : file;
 }
 
 }  // namespace leda::server

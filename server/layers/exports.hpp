@@ -2,6 +2,7 @@
 // The files that results are exported to, each made once.
 
 #include <filesystem>
+#include <string>
 
 #include "db/store.hpp"
 #include "profiles/export_layers.hpp"
@@ -14,5 +15,11 @@ namespace leda::server {
 /// @throws Problem wrong_state where the job has no map
 std::filesystem::path export_of(const DataFolder& data, const db::Store& store,
                                 const db::JobRecord& job, profiles::ExportFormat format);
+
+/// release_probability.tif or runout_probability.tif of a finished job, with its style beside it.
+/// @param name of the raster, or of the style
+/// @throws Problem where the job has no ensemble or no map, or there is no such file
+std::filesystem::path raster_of(const DataFolder& data, const db::Store& store,
+                                const db::JobRecord& job, const std::string& name);
 
 }  // namespace leda::server

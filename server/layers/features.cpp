@@ -8,6 +8,7 @@
 
 #include "profiles/antimeridian.hpp"
 #include "profiles/export_layers.hpp"
+#include "server/documents/ensemble_document.hpp"
 #include "server/layers/region_layers.hpp"
 #include "server/operate/logging.hpp"
 
@@ -128,14 +129,21 @@ json zone_as_feature(const db::ZoneRecord& record, const Ground& ground) {
                      {"warnings", joined(zone.warnings)},
                      {"made_by", zone.made_by},
                      {"version", record.version}});
+  if (zone.probability) {
+    properties.update({{"kind", to_string(zone.kind)},
+                       {"exceedance", zone.probability->exceedance},
+                       {"members", zone.probability->members},
+                       {"condition", ensemble_condition}});
+  }
   return {{"type", "Feature"},
           {"id", record.id},
           {"geometry", {{"type", "MultiPolygon"}, {"coordinates", polygons}}},
           {"properties", properties}};
 }
 
-ZoneKind kind_of(Collection collection) {
-  return collection == Collection::release_zones ? ZoneKind::release : ZoneKind::runout;
+ZoneLayer layer_of(Collection collection) {
+  if (collection == Collection::probability_zones) return ZoneLayer::probability;
+  return collection == Collection::release_zones ? ZoneLayer::release : ZoneLayer::runout;
 }
 
 void add_box(std::vector<db::FeatureBox>& boxes, std::int64_t id, const MapLine& degrees) {
@@ -172,6 +180,8 @@ const char* to_string(Collection collection) {
       return "release_zones";
     case Collection::runout_zones:
       return "runout_zones";
+    case Collection::probability_zones:
+      return "probability_zones";
   }
   return "";
 }
@@ -192,19 +202,19 @@ void for_each_feature(const db::Store& store, Collection collection, const db::P
     }
     return;
   }
-  for (const auto& zone : store.zone_page(kind_of(collection), filter)) {
+  for (const auto& zone : store.zone_page(layer_of(collection), filter)) {
     use(zone_as_feature(zone, grounds.of(zone.job)));
   }
 }
 
 int count_features(const db::Store& store, Collection collection, const db::PageFilter& filter) {
   return collection == Collection::sections ? store.count_sections(filter)
-                                            : store.count_zones(kind_of(collection), filter);
+                                            : store.count_zones(layer_of(collection), filter);
 }
 
 db::Coverage coverage_of(const db::Store& store, Collection collection) {
   return collection == Collection::sections ? store.section_coverage()
-                                            : store.zone_coverage(kind_of(collection));
+                                            : store.zone_coverage(layer_of(collection));
 }
 
 json schema_of(Collection collection) {
@@ -239,6 +249,13 @@ json schema_of(Collection collection) {
                        {"largest_distance_m", property("number", "retrogression or runout, m")},
                        {"mean_distance_m", property("number", "retrogression or runout, m")},
                        {"distance_is", property("string", "measured or lower-bound")}});
+  }
+  if (collection == Collection::probability_zones) {
+    properties.update(
+        {{"kind", property("string", "release or runout")},
+         {"exceedance", property("number", "probability that the zone's edge is passed")},
+         {"members", property("integer", "fewest of one of its sections")},
+         {"condition", property("string", "what the probability is conditional on")}});
   }
   return {{"$schema", "http://json-schema.org/draft-07/schema#"},
           {"title", to_string(collection)},

@@ -13,10 +13,11 @@
 
 namespace leda::server {
 
-enum class Collection { sections, release_zones, runout_zones };
+enum class Collection { sections, release_zones, runout_zones, probability_zones };
 
 inline constexpr std::array all_collections{Collection::sections, Collection::release_zones,
-                                            Collection::runout_zones};
+                                            Collection::runout_zones,
+                                            Collection::probability_zones};
 
 const char* to_string(Collection collection);
 std::optional<Collection> collection_from(const std::string& id);

@@ -17,29 +17,42 @@ std::size_t StateCounts::done() const {
   return all() - of(SectionState::waiting) - of(SectionState::running);
 }
 
-int progress_percent(const StateCounts& sections, double running_fraction) {
-  if (sections.all() == 0) return 0;
-  const double done = static_cast<double>(sections.done()) + running_fraction;
-  return std::clamp(static_cast<int>(100 * done / static_cast<double>(sections.all())), 0, 99);
-}
+namespace {
 
-std::string progress_message(const StateCounts& sections) {
-  return fmt::format("{} of {} sections done, {} running", sections.done(), sections.all(),
-                     sections.of(SectionState::running));
-}
-
-std::string final_message(const StateCounts& sections) {
-  std::string text =
-      fmt::format("{} section{}: {} with a result", sections.all(), sections.all() == 1 ? "" : "s",
-                  sections.of(SectionState::finished));
+std::string summary_of(const StateCounts& counts, const char* one, const char* left_out) {
+  std::string text = fmt::format("{} {}{}: {} with a result", counts.all(), one,
+                                 counts.all() == 1 ? "" : "s", counts.of(SectionState::finished));
   const auto also = [&](SectionState state, const char* what) {
-    if (const auto number = sections.of(state); number > 0) {
+    if (const auto number = counts.of(state); number > 0) {
       text += fmt::format(", {} {}", number, what);
     }
   };
   also(SectionState::stable, "stable without a run");
-  also(SectionState::left_out, "left out");
+  also(SectionState::left_out, left_out);
   also(SectionState::failed, "failed");
+  return text;
+}
+
+}  // namespace
+
+int progress_percent(const JobCounts& counts, double running_fraction) {
+  const auto all = static_cast<double>(counts.sections.all() + counts.members.all());
+  if (all == 0) return 0;
+  const auto done = static_cast<double>(counts.sections.done() + counts.members.done());
+  return std::clamp(static_cast<int>(100 * (done + running_fraction) / all), 0, 99);
+}
+
+std::string progress_message(const JobCounts& counts) {
+  const auto& [sections, members] = counts;
+  std::string text = fmt::format("{} of {} sections", sections.done(), sections.all());
+  if (members.all() > 0)
+    text += fmt::format(" and {} of {} members", members.done(), members.all());
+  return text + fmt::format(" done, {} running", counts.of(SectionState::running));
+}
+
+std::string final_message(const JobCounts& counts) {
+  std::string text = summary_of(counts.sections, "section", "left out");
+  if (counts.members.all() > 0) text += "; " + summary_of(counts.members, "member", "not needed");
   return text;
 }
 

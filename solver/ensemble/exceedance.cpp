@@ -108,18 +108,24 @@ ExceedanceCurve exceedance_curve(const std::vector<Reach>& reaches,
   return curve;
 }
 
+std::optional<double> distance_exceeded(const ExceedanceCurve& curve, double exceedance) {
+  for (const CurvePoint& point : curve.points) {
+    if (point.probability <= exceedance) return point.distance_m;
+  }
+  return std::nullopt;
+}
+
+bool is_lower_bound(const ExceedanceCurve& curve, double distance_m) {
+  return curve.censored_beyond_m && distance_m >= *curve.censored_beyond_m;
+}
+
 ExceedanceQuantile exceedance_quantile(const std::vector<Reach>& reaches,
                                        const ExceedanceCurve& curve, double exceedance,
                                        const Replication& replication) {
   ExceedanceQuantile quantile;
   quantile.exceedance = exceedance;
-  for (const CurvePoint& point : curve.points) {
-    if (point.probability > exceedance) continue;
-    quantile.distance_m = point.distance_m;
-    break;
-  }
-  quantile.is_lower_bound = curve.censored_beyond_m && quantile.distance_m &&
-                            *quantile.distance_m >= *curve.censored_beyond_m;
+  quantile.distance_m = distance_exceeded(curve, exceedance);
+  quantile.is_lower_bound = quantile.distance_m && is_lower_bound(curve, *quantile.distance_m);
   quantile.by_ranks =
       between_ranks(reaches, rank_interval(reaches.size(), 1 - exceedance, replication.confidence));
   quantile.by_replicates = {crossing(curve, &Interval::low, exceedance).value_or(0),

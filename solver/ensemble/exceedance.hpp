@@ -44,6 +44,13 @@ struct ExceedanceCurve {
 /// @pre reaches is not empty, its size a multiple of the replicates
 ExceedanceCurve exceedance_curve(const std::vector<Reach>& reaches, const Replication& replication);
 
+/// The distance that is exceeded with probability `exceedance` at most; nothing: any distance is
+/// exceeded more often, so many members are unknown.
+std::optional<double> distance_exceeded(const ExceedanceCurve& curve, double exceedance);
+
+/// Whether members that were cut short may go beyond a distance.
+bool is_lower_bound(const ExceedanceCurve& curve, double distance_m);
+
 struct DistanceRange {
   double low_m = 0;
   std::optional<double> high_m;  ///< absent: the members know no upper end

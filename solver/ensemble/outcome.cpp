@@ -34,4 +34,6 @@ MemberOutcome outcome_of(const SectionResult& result) {
   return outcome;
 }
 
+MemberOutcome stands() { return {RunStatus::stable, Reach::measured(0), Reach::measured(0), 0}; }
+
 }  // namespace leda::solver

@@ -42,4 +42,7 @@ struct MemberOutcome {
 
 MemberOutcome outcome_of(const SectionResult& result);
 
+/// Of a member that screening finds stable: it is not run, and its distances are 0.
+MemberOutcome stands();
+
 }  // namespace leda::solver

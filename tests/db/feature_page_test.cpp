@@ -135,11 +135,11 @@ TEST_F(FeaturePage, ZonesNameTheVersionThatMadeThem) {
   store.take_in(section.id, "run-1", samples::result(), samples::placed(section), "{}");
   store.set_zones("job-1", {zone(ZoneKind::release, "S1"), zone(ZoneKind::runout, "S1"),
                             zone(ZoneKind::runout, "S2")});
-  const auto zones = store.zone_page(ZoneKind::runout, {});
+  const auto zones = store.zone_page(ZoneLayer::runout, {});
   ASSERT_EQ(zones.size(), 2U);
   EXPECT_EQ(zones[0].version, samples::result().version);
   EXPECT_EQ(zones[1].version, "");
-  EXPECT_EQ(store.count_zones(ZoneKind::release, {}), 1);
+  EXPECT_EQ(store.count_zones(ZoneLayer::release, {}), 1);
 }
 
 TEST_F(FeaturePage, CoverageIsTheBoxOfAllAndTheirSystems) {
@@ -148,8 +148,8 @@ TEST_F(FeaturePage, CoverageIsTheBoxOfAllAndTheirSystems) {
   ASSERT_TRUE(coverage.box.has_value());
   EXPECT_EQ(*coverage.box, (MapBox{1, 45, 3.5, 46}));
   EXPECT_EQ(coverage.epsg, std::vector<int>{2950});
-  EXPECT_EQ(store.zone_coverage(ZoneKind::release).features, 0);
-  EXPECT_FALSE(store.zone_coverage(ZoneKind::release).box.has_value());
+  EXPECT_EQ(store.zone_coverage(ZoneLayer::release).features, 0);
+  EXPECT_FALSE(store.zone_coverage(ZoneLayer::release).box.has_value());
 }
 
 TEST_F(FeaturePage, JobsWithoutBoxesAreFound) {
@@ -159,7 +159,7 @@ TEST_F(FeaturePage, JobsWithoutBoxesAreFound) {
   store.set_zone_boxes({{store.zones("job-1").at(0).id, {1, 2, 3, 4}}});
   EXPECT_TRUE(store.jobs_without_boxes().empty());
   store.set_zones("job-1", {});
-  EXPECT_EQ(store.zone_coverage(ZoneKind::release).features, 0);
+  EXPECT_EQ(store.zone_coverage(ZoneLayer::release).features, 0);
 }
 
 TEST_F(FeaturePage, WaitingSectionsAreCountedOverAllJobs) {

@@ -97,6 +97,39 @@ TEST_F(SectionStore, SectionsComeInTheirOrder) {
   EXPECT_EQ(sections[2].name, "S3");
 }
 
+TEST_F(SectionStore, MembersHaveTheGroundOfTheirSectionAndAreNoSections) {
+  store.add_job(samples::job("job-2"));
+  auto rows = layout(2);
+  for (int number = 0; number < 3; ++number) {
+    SectionRecord member;
+    member.ordinal = 2 + number;
+    member.name = samples::numbered("S2 member-", number);
+    member.member = MemberRecord{rows[1].ordinal, rows[1].name, number, number == 2 ? 1 : 0, false};
+    rows.push_back(member);
+  }
+  store.set_sections("job-2", rows);
+  EXPECT_EQ(store.sections("job-2").size(), 2U);
+  EXPECT_EQ(store.section_page({.job = "job-2"}).size(), 2U);
+  EXPECT_EQ(store.count_sections(PageFilter{.job = "job-2"}), 2);
+  EXPECT_TRUE(store.members("job-2", rows[0].ordinal).empty());
+  const auto members = store.members("job-2", rows[1].ordinal);
+  ASSERT_EQ(members.size(), 3U);
+  EXPECT_EQ(members[2].member->section, "S2");
+  EXPECT_EQ(members[2].member->repeat, 1);
+  const auto line = store.sections_in_line("job-2");
+  ASSERT_EQ(line.size(), 5U);
+  EXPECT_FALSE(line[1].is_member);
+  EXPECT_TRUE(line[2].is_member);
+  const auto whole = store.section(members[0].id);
+  EXPECT_EQ(whole->ground, rows[1].ground);
+  EXPECT_EQ(whole->trace, rows[1].trace);
+  EXPECT_EQ(whole->crest.x, rows[1].crest.x);
+  store.start_run(members[0].id, "run-m");
+  EXPECT_TRUE(
+      store.take_in(members[0].id, "run-m", samples::result(), samples::placed(*whole), "{}"));
+  EXPECT_EQ(store.members("job-2", rows[1].ordinal)[0].state, SectionState::finished);
+}
+
 TEST_F(SectionStore, TenThousandSectionsGoInAndComeOut) {
   store.add_job(samples::job("job-2"));
   store.set_sections("job-2", layout(10'000));

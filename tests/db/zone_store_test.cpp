@@ -29,6 +29,22 @@ class ZoneStore : public ::testing::Test {
   Store store{folder / "leda.sqlite"};
 };
 
+TEST_F(ZoneStore, ZonesOfAnEnsembleKeepTheirProbability) {
+  Zone likely = zone(ZoneKind::release, {"S1"});
+  likely.probability = ZoneProbability{0.05, 64};
+  store.set_zones("job-1", {zone(ZoneKind::release, {"S1"}), likely});
+  const auto zones = store.zones("job-1");
+  ASSERT_EQ(zones.size(), 2U);
+  EXPECT_FALSE(zones[0].zone.probability);
+  EXPECT_EQ(zones[1].zone.probability->exceedance, 0.05);
+  EXPECT_EQ(zones[1].zone.probability->members, 64);
+  const PageFilter filter{.job = "job-1"};
+  EXPECT_EQ(store.count_zones(ZoneLayer::release, filter), 1);
+  EXPECT_EQ(store.count_zones(ZoneLayer::probability, filter), 1);
+  ASSERT_EQ(store.zone_page(ZoneLayer::probability, filter).size(), 1U);
+  EXPECT_TRUE(store.zone_page(ZoneLayer::probability, filter)[0].zone.probability);
+}
+
 TEST_F(ZoneStore, ZonesComeBackWholeAndInOrder) {
   store.set_zones("job-1", {zone(ZoneKind::runout, {"S2", "S1"}), zone(ZoneKind::release, {"S3"})});
   const auto zones = store.zones("job-1");

@@ -22,9 +22,10 @@ constexpr const char* crs84 = "http://www.opengis.net/def/crs/OGC/1.3/CRS84";
 Collection collection_or_problem(const std::string& id) {
   const auto collection = collection_from(id);
   if (!collection) {
-    throw Problem(
-        Failure::no_such_resource,
-        "there is no collection '" + id + "': known are sections, release_zones and runout_zones");
+    throw Problem(Failure::no_such_resource,
+                  "there is no collection '" + id +
+                      "': known are sections, release_zones, runout_zones and "
+                      "probability_zones");
   }
   return *collection;
 }
@@ -83,12 +84,24 @@ json link(const std::string& href, const char* rel, const char* type) {
   return {{"href", href}, {"rel", rel}, {"type", type}};
 }
 
+const char* title_of(Collection collection) {
+  switch (collection) {
+    case Collection::sections:
+      return "Sections";
+    case Collection::release_zones:
+      return "Release zones";
+    case Collection::runout_zones:
+      return "Runout zones";
+    case Collection::probability_zones:
+      break;
+  }
+  return "Probability zones, conditional on a slide starting at the section";
+}
+
 json collection_document(const Site& site, Collection collection) {
   const std::string own = site.url + "/collections/" + to_string(collection);
   const db::Coverage coverage = coverage_of(site.service.store, collection);
-  const char* title = collection == Collection::sections        ? "Sections"
-                      : collection == Collection::release_zones ? "Release zones"
-                                                                : "Runout zones";
+  const char* title = title_of(collection);
   const MapBox box = coverage.box.value_or(MapBox{-180, -90, 180, 90});
   return {
       {"id", to_string(collection)},

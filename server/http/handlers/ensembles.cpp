@@ -5,7 +5,8 @@
 #include "server/http/handlers/parameters.hpp"
 #include "server/http/router.hpp"
 #include "server/http/site.hpp"
-#include "server/jobs/section_ensemble.hpp"
+#include "server/layers/compare_sections.hpp"
+#include "server/layers/job_ensemble.hpp"
 #include "server/operate/problem.hpp"
 
 namespace leda::server {
@@ -14,19 +15,18 @@ Answer get_section_ensemble(Site& site, const Call& call) {
   const bool drawing = format(call, {"json", "svg"}) == "svg";
   const db::Store& store = site.service.store;
   const auto job = job_or_problem(store, call.captured[0]);
-  const auto of_job = ensemble_of(job, store.sections(job.id));
-  if (!of_job.ensemble) {
+  const auto ensemble = ensemble_or_problem(store, job);
+  const auto section = sections_or_problem(store, job.id, {call.captured[1]}).front();
+  const auto of_section = ensemble.of_section(section).ensemble;
+  if (!of_section) {
     throw Problem(Failure::result_not_ready,
-                  "the first members of job " + job.id + " are not over: " + job.message);
+                  "the first members of section '" + section.name +
+                      "' are not over: " + (section.reason.empty() ? job.message : section.reason));
   }
-  if (of_job.ensemble->section != call.captured[1]) {
-    throw Problem(Failure::no_such_resource, "the ensemble of job " + job.id + " is of section '" +
-                                                 of_job.ensemble->section + "'");
-  }
-  if (!drawing) return json_answer(to_document(*of_job.ensemble));
+  if (!drawing) return json_answer(to_document(*of_section));
   Answer answer;
   answer.type = "image/svg+xml";
-  answer.body = ensemble_svg({*of_job.ensemble});
+  answer.body = ensemble_svg({*of_section});
   return answer;
 }
 
@@ -34,11 +34,16 @@ Answer get_members(Site& site, const Call& call) {
   format(call, {"csv"});
   const db::Store& store = site.service.store;
   const auto job = job_or_problem(store, call.captured[0]);
-  const auto of_job = ensemble_of(job, store.sections(job.id));
+  const auto ensemble = ensemble_or_problem(store, job);
+  const db::Turns::Turn turn(site.pages);
   Answer answer;
   answer.type = "text/csv";
-  answer.body = members_csv_head(of_job.inputs);
-  for (const MemberRow& row : of_job.rows) answer.body += members_csv_line(row);
+  answer.body = members_csv_head(ensemble.asked().asked.plan.inputs);
+  for (const auto& section : store.sections(job.id)) {
+    for (const MemberRow& row : ensemble.of_section(section).rows) {
+      answer.body += members_csv_line(row);
+    }
+  }
   return answer;
 }
 

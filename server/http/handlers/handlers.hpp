@@ -36,6 +36,7 @@ Answer get_section(Site& site, const Call& call);
 Answer get_section_log(Site& site, const Call& call);
 Answer get_compare(Site& site, const Call& call);
 Answer get_export(Site& site, const Call& call);
+Answer get_job_raster(Site& site, const Call& call);
 
 // job_map.cpp
 Answer get_job_map(Site& site, const Call& call);

@@ -57,12 +57,18 @@ json zone_document(const Zone& zone) {
     for (const MapLine& hole : polygon.holes) rings.push_back(points(hole));
     polygons.push_back(std::move(rings));
   }
-  return {{"sections", zone.sections},
-          {"largest_distance_m", rounded(zone.largest_distance_m)},
-          {"mean_distance_m", rounded(zone.mean_distance_m)},
-          {"distance_is", to_string(zone.distance_is)},
-          {"warnings", zone.warnings},
-          {"polygons", std::move(polygons)}};
+  json document = {{"sections", zone.sections},
+                   {"largest_distance_m", rounded(zone.largest_distance_m)},
+                   {"mean_distance_m", rounded(zone.mean_distance_m)},
+                   {"distance_is", to_string(zone.distance_is)},
+                   {"warnings", zone.warnings},
+                   {"polygons", std::move(polygons)}};
+  if (zone.probability) {
+    document.update({{"kind", to_string(zone.kind)},
+                     {"exceedance", zone.probability->exceedance},
+                     {"members", zone.probability->members}});
+  }
+  return document;
 }
 
 json document_of(const db::Store& store, const db::JobRecord& job) {
@@ -80,10 +86,10 @@ json document_of(const db::Store& store, const db::JobRecord& job) {
                    {"request", json::parse(job.request, nullptr, false)},
                    {"sections", sections_of(store, page)},
                    {"release_zones", json::array()},
-                   {"runout_zones", json::array()}};
+                   {"runout_zones", json::array()},
+                   {"probability_zones", json::array()}};
   for (const auto& zone : store.zones(job.id)) {
-    const bool release = zone.zone.kind == ZoneKind::release;
-    document[release ? "release_zones" : "runout_zones"].push_back(zone_document(zone.zone));
+    document[to_string(layer_of(zone.zone))].push_back(zone_document(zone.zone));
   }
   return document;
 }

@@ -53,20 +53,34 @@ std::vector<std::string> list(const Call& call, const std::string& name) {
   }
 }
 
+namespace {
+
+/// "json, csv, svg"
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+}  // namespace
+
+std::string choice(const Call& call, const std::string& name,
+                   const std::vector<std::string>& known) {
+  const auto given = call.parameter(name);
+  if (!given) return known.front();
+  if (std::find(known.begin(), known.end(), *given) != known.end()) return *given;
+  throw Problem(Failure::invalid_parameter,
+                name + " is '" + *given + "': give one of " + joined(known));
+}
+
 std::string format(const Call& call, const std::vector<std::string>& known) {
-  const auto given = call.parameter("f");
-  if (given && std::find(known.begin(), known.end(), *given) != known.end()) return *given;
-  std::string choice;
-  for (const auto& name : known) choice += (choice.empty() ? "" : ", ") + name;
-  if (given) {
-    throw Problem(Failure::invalid_parameter, "f is '" + *given + "': give one of " + choice);
-  }
+  if (call.parameter("f")) return choice(call, "f", known);
   const std::string accept = call.header("Accept");
   const auto want = [&](const std::string& name) { return wanted(accept, media_type_of(name)); };
   const auto best = std::max_element(
       known.begin(), known.end(), [&](const auto& a, const auto& b) { return want(a) < want(b); });
   if (want(*best).quality > 0) return *best;
-  throw Problem(Failure::not_acceptable, "Accept is '" + accept + "': there is " + choice +
+  throw Problem(Failure::not_acceptable, "Accept is '" + accept + "': there is " + joined(known) +
                                              ", which f= chooses whatever Accept says");
 }
 

@@ -21,6 +21,11 @@ std::vector<std::string> list(const Call& call, const std::string& name);
 /// @throws Problem invalid_parameter where f= is none of these, not_acceptable where Accept is
 std::string format(const Call& call, const std::vector<std::string>& known);
 
+/// One of some words, the first where it is not given.
+/// @throws Problem invalid_parameter where it is none of these
+std::string choice(const Call& call, const std::string& name,
+                   const std::vector<std::string>& known);
+
 /// A number of seconds, 0 or more; nothing where it is not given.
 std::optional<double> seconds(const Call& call, const std::string& name);
 

@@ -3,6 +3,7 @@
 #include "profiles/export_layers.hpp"
 #include "server/documents/compare_document.hpp"
 #include "server/documents/execute_options.hpp"
+#include "server/drawings/ensemble_drawing.hpp"
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/parameters.hpp"
 #include "server/http/handlers/section_document.hpp"
@@ -11,6 +12,7 @@
 #include "server/layers/compare_sections.hpp"
 #include "server/layers/exports.hpp"
 #include "server/layers/features.hpp"
+#include "server/layers/job_ensemble.hpp"
 #include "server/layers/region_layers.hpp"
 #include "server/operate/problem.hpp"
 
@@ -97,7 +99,8 @@ json outputs_of(Site& site, const db::JobRecord& job) {
   const db::Turns::Turn turn(site.pages);
   json outputs = {{"sections", rows_of(site, job, site.service.store.section_page(all_of(job)))}};
   if (epsg_of(site.service.store, job) != 0) {
-    for (const Collection zones : {Collection::release_zones, Collection::runout_zones}) {
+    for (const Collection zones : all_collections) {
+      if (zones == Collection::sections) continue;
       json features = json::array();
       for_each_feature(site.service.store, zones, all_of(job),
                        [&](json&& feature) { features.push_back(std::move(feature)); });
@@ -105,6 +108,20 @@ json outputs_of(Site& site, const db::JobRecord& job) {
     }
   }
   return outputs;
+}
+
+/// Nothing where one of the sections has none by now.
+std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const std::string& job,
+                                          const std::vector<db::SectionRecord>& sections) {
+  const auto ensemble = JobEnsemble::of(store, store.job(job).value());
+  std::vector<SectionEnsemble> found;
+  if (!ensemble) return found;
+  for (const auto& section : sections) {
+    auto of_section = ensemble->of_section(section).ensemble;
+    if (!of_section) return {};
+    found.push_back(std::move(*of_section));
+  }
+  return found;
 }
 
 }  // namespace
@@ -196,18 +213,40 @@ Answer get_compare(Site& site, const Call& call) {
     throw Problem(Failure::invalid_parameter,
                   "sections: give 2 to 20 names, for example sections=AA',BB'");
   }
-  const auto compared =
-      as_compared(sections_or_problem(site.service.store, call.captured[0], names));
-  if (!drawing) return json_answer(compare_json(compared));
+  const bool curves = choice(call, "of", {"profiles", "curves"}) == "curves";
+  const auto sections = sections_or_problem(site.service.store, call.captured[0], names);
+  const auto ensembles = ensembles_of(site.service.store, call.captured[0], sections);
+  if (curves && ensembles.empty()) {
+    throw Problem(Failure::no_such_result,
+                  "of=curves: not each of the sections has an ensemble whose first look is over");
+  }
+  if (!drawing) {
+    json document = compare_json(as_compared(sections));
+    if (!ensembles.empty()) document["ensembles"] = compare_ensembles(ensembles);
+    return json_answer(document);
+  }
   Answer answer;
   answer.type = "image/svg+xml";
-  answer.body = compare_svg(compared);
+  answer.body = curves ? ensemble_svg(ensembles) : compare_svg(as_compared(sections));
   return answer;
 }
 
 Answer get_export(Site& site, const Call& call) {
   const auto wanted = format(call, {"gpkg", "geojson", "shp", "fgb"});
   return file_answer(site, call, finished_job(site, call.captured[0]), wanted);
+}
+
+Answer get_job_raster(Site& site, const Call& call) {
+  const auto job = finished_job(site, call.captured[0]);
+  const std::string& name = call.captured[1];
+  const std::string tag = tag_of(job, name);
+  if (has_already(call, tag)) return not_modified(tag);
+  Answer answer;
+  answer.file = raster_of(site.service.data, site.service.store, job, name);
+  answer.type = answer.file.extension() == ".qml" ? "application/xml" : "image/tiff";
+  answer.headers.emplace_back("ETag", tag);
+  answer.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + name + "\"");
+  return answer;
 }
 
 }  // namespace leda::server

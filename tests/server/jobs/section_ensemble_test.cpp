@@ -1,4 +1,3 @@
-#include "server/jobs/section_ensemble.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +5,8 @@
 
 #include "server/documents/simulate_request.hpp"
 #include "server/jobs/dry_run.hpp"
+#include "server/jobs/process.hpp"
+#include "server/layers/job_ensemble.hpp"
 #include "server/operate/problem.hpp"
 #include "tests/server/run_fixture.hpp"
 #include "tests/server/temporary_folder.hpp"
@@ -41,7 +42,7 @@ class EnsembleJob : public testing::Test {
   /// Members of a look end, each with the distance that `distance` gives its number.
   template <class Distance>
   void end(std::size_t from, std::size_t before, const Distance& distance) {
-    const auto sections = store.sections(job.id);
+    const auto sections = members();
     for (std::size_t i = from; i < before; ++i) {
       const std::string run = "run-" + std::to_string(i);
       store.start_run(sections.at(i).id, run);
@@ -53,7 +54,13 @@ class EnsembleJob : public testing::Test {
   }
 
   std::string not_needed(std::size_t member) const {
-    return work->not_needed(store.sections(job.id).at(member));
+    return work->not_needed(members().at(member));
+  }
+
+  std::vector<db::SectionRecord> members() const { return store.members(job.id, 0); }
+
+  EnsembleOfSection ensemble() const {
+    return ensemble_or_problem(store, job).of_section(store.sections(job.id).at(0));
   }
 
   tests::TemporaryFolder folder;
@@ -63,15 +70,20 @@ class EnsembleJob : public testing::Test {
   std::unique_ptr<Work> work;
 };
 
-TEST_F(EnsembleJob, HasASectionForEachMemberWhoseCaseIsItsOwn) {
+TEST_F(EnsembleJob, HasASectionAsGivenAndMembersWhoseCasesAreTheirOwn) {
   const auto sections = store.sections(job.id);
-  ASSERT_EQ(sections.size(), 64U);
-  EXPECT_EQ(sections[3].name, "member-3");
-  const auto first = parse_case_file(work->case_file(sections[0]));
-  const auto other = parse_case_file(work->case_file(sections[1]));
-  ASSERT_TRUE(first && other);
+  ASSERT_EQ(sections.size(), 1U);
+  const auto rows = members();
+  ASSERT_EQ(rows.size(), 64U);
+  EXPECT_EQ(rows[3].name, sections[0].name + " member-3");
+  EXPECT_EQ(rows[3].ground.size(), 0U) << "a list of members is without it";
+  EXPECT_EQ(store.section(rows[3].id)->ground.size(), sections[0].ground.size());
+  const auto given = parse_case_file(work->case_file(sections[0]));
+  const auto first = parse_case_file(work->case_file(rows[0]));
+  const auto other = parse_case_file(work->case_file(rows[1]));
+  ASSERT_TRUE(given && first && other);
   EXPECT_NE(case_sha256(*first.value), case_sha256(*other.value));
-  EXPECT_FALSE(work->keeps_fields());
+  EXPECT_NE(case_sha256(*first.value), case_sha256(*given.value));
 }
 
 TEST_F(EnsembleJob, RunsNoMoreThanItNeeds) {
@@ -84,7 +96,7 @@ TEST_F(EnsembleJob, RunsNoMoreThanItNeeds) {
 TEST_F(EnsembleJob, GoesOnWhileItIsNotSure) {
   end(0, 16, [](std::size_t i) { return i % 2 == 0 ? 0 : 50; });
   EXPECT_EQ(not_needed(16), "");
-  const auto by_now = ensemble_of(job, store.sections(job.id));
+  const auto by_now = ensemble();
   ASSERT_TRUE(by_now.ensemble);
   EXPECT_EQ(by_now.ensemble->summary.members, 16U);
   EXPECT_EQ(by_now.ensemble->summary.ending, solver::Ending::more_members);
@@ -92,41 +104,42 @@ TEST_F(EnsembleJob, GoesOnWhileItIsNotSure) {
 
 TEST_F(EnsembleJob, WhatAnotherServerTakesUpIsJudgedByTheLookThatEndedIt) {
   end(0, 17, [](std::size_t) { return 10; });  // a free core had begun one more
-  const auto sections = store.sections(job.id);
+  const auto rows = members();
   for (std::size_t i = 17; i < 40; ++i) {
-    store.set_section_state(sections[i].id, SectionState::left_out, "not needed");
+    store.set_section_state(rows[i].id, SectionState::left_out, "not needed");
   }
   const auto taken_up = find_process(job.process)->open(job.request, {data, store});
-  EXPECT_NE(taken_up->not_needed(store.sections(job.id).at(40)).find("16 members"),
-            std::string::npos);
-  const auto of_job = ensemble_of(job, store.sections(job.id));
-  EXPECT_EQ(of_job.ensemble->summary.members, 16U);
-  ASSERT_EQ(of_job.rows.size(), 17U);
-  EXPECT_EQ(of_job.rows[15].weight, 1 / 16.0);
-  EXPECT_EQ(of_job.rows[16].weight, 0);
+  EXPECT_NE(taken_up->not_needed(rows.at(40)).find("16 members"), std::string::npos);
+  const auto of_section = ensemble();
+  EXPECT_EQ(of_section.ensemble->summary.members, 16U);
+  ASSERT_EQ(of_section.rows.size(), 17U);
+  EXPECT_EQ(of_section.rows[15].weight, 1 / 16.0);
+  EXPECT_EQ(of_section.rows[16].weight, 0);
 }
 
 TEST_F(EnsembleJob, SaysNothingBeforeItsFirstLook) {
   end(0, 15, [](std::size_t) { return 10; });
-  EXPECT_FALSE(ensemble_of(job, store.sections(job.id)).ensemble);
+  EXPECT_FALSE(ensemble().ensemble);
   db::JobRecord plain = job;
   plain.request = tests::simulate_request();
-  EXPECT_THROW(ensemble_of(plain, {}), Problem);
+  EXPECT_THROW(ensemble_or_problem(store, plain), Problem);
 }
 
 TEST_F(EnsembleJob, AFailedMemberIsCountedBothWays) {
   end(1, 16, [](std::size_t) { return 10; });
-  store.set_section_state(store.sections(job.id).at(0).id, SectionState::failed, "it crashed");
-  const auto of_job = ensemble_of(job, store.sections(job.id));
-  EXPECT_EQ(of_job.ensemble->summary.by_status.at("no-result"), 1U);
-  EXPECT_LT(of_job.ensemble->summary.probability_of_sliding, 1);
+  store.set_section_state(members().at(0).id, SectionState::failed, "it crashed");
+  const auto of_section = ensemble();
+  EXPECT_EQ(of_section.ensemble->summary.by_status.at("no-result"), 1U);
+  EXPECT_LT(of_section.ensemble->summary.probability_of_sliding, 1);
 }
 
 TEST_F(EnsembleJob, ADryRunTellsTheLeastAndTheMost) {
-  const json estimate = dry_run(*find_process(job.process), *work, work->plan(), store)["estimate"];
-  EXPECT_EQ(estimate["runs"], 64);
-  EXPECT_NEAR(estimate["core_hours"].get<double>(),
-              4 * estimate["core_hours_at_least"].get<double>(), 1e-9);
+  const json dry = dry_run(*find_process(job.process), *work, work->plan(), store);
+  EXPECT_EQ(dry["sections"].size(), 1U);
+  const json& estimate = dry["estimate"];
+  EXPECT_EQ(estimate["runs"], 1 + 64);
+  EXPECT_NEAR(estimate["core_hours"].get<double>() / (1 + 64),
+              estimate["core_hours_at_least"].get<double>() / (1 + 16), 1e-9);
 }
 
 TEST(SimulateRequest, FaultsOfTheEnsembleHaveTheirPointers) {

@@ -27,8 +27,16 @@ TEST(SectionQueue, CountsItsStates) {
   queue.set_state(0, SectionState::failed);
   EXPECT_EQ(queue.counts().of(SectionState::waiting), 1U);
   EXPECT_EQ(queue.counts().of(SectionState::failed), 1U);
-  EXPECT_EQ(queue.counts().all(), 2U);
-  EXPECT_EQ(queue.counts().done(), 1U);
+  EXPECT_EQ(queue.counts().sections.all(), 2U);
+  EXPECT_EQ(queue.counts().sections.done(), 1U);
+}
+
+TEST(SectionQueue, CountsMembersApart) {
+  SectionQueue queue({{1, SectionState::waiting}, {2, SectionState::waiting, true}});
+  queue.set_state(1, SectionState::stable);
+  EXPECT_EQ(queue.counts().members.of(SectionState::stable), 1U);
+  EXPECT_EQ(queue.counts().sections.of(SectionState::waiting), 1U);
+  EXPECT_EQ(queue.counts().of(SectionState::waiting), 1U);
 }
 
 TEST(SectionQueue, AnEmptyOneHasNothingThatWaits) {

@@ -7,9 +7,9 @@ namespace {
 
 using db::SectionState;
 
-StateCounts sections_in(const std::vector<SectionState>& states) {
-  StateCounts counts;
-  for (const SectionState state : states) counts.add(state);
+JobCounts sections_in(const std::vector<SectionState>& states) {
+  JobCounts counts;
+  for (const SectionState state : states) counts.sections.add(state);
   return counts;
 }
 
@@ -32,6 +32,19 @@ TEST(Summary, TheFinalMessageNamesEachKind) {
   EXPECT_EQ(final_message(sections_in({SectionState::finished, SectionState::stable,
                                        SectionState::left_out, SectionState::failed})),
             "4 sections: 1 with a result, 1 stable without a run, 1 left out, 1 failed");
+}
+
+TEST(Summary, MembersAreToldBesideTheirSections) {
+  JobCounts counts = sections_in({SectionState::finished, SectionState::running});
+  counts.members.add(SectionState::stable);
+  counts.members.add(SectionState::left_out);
+  counts.members.add(SectionState::running);
+  counts.members.add(SectionState::waiting);
+  EXPECT_EQ(progress_percent(counts, 0), 50);
+  EXPECT_EQ(progress_message(counts), "1 of 2 sections and 2 of 4 members done, 2 running");
+  EXPECT_EQ(final_message(counts),
+            "2 sections: 1 with a result; 4 members: 0 with a result, 1 stable without a run, 1 "
+            "not needed");
 }
 
 TEST(Summary, TheStatusIsTheRunsWhereThereIsOne) {

@@ -1,0 +1,72 @@
+#include "server/jobs/ensemble_members.hpp"
+
+#include <fmt/format.h>
+
+#include "server/layers/job_ensemble.hpp"
+
+namespace leda::server {
+namespace {
+
+using db::SectionRecord;
+
+SectionRecord member_record(const SectionRecord& section, const MemberRun& run) {
+  SectionRecord record;
+  record.job = section.job;
+  record.name = section.name + " " + run_name(run);
+  record.member = db::MemberRecord{section.ordinal, section.name, static_cast<int>(run.member),
+                                   static_cast<int>(run.repeat), run.finer};
+  return record;
+}
+
+/// The largest look that a member is not part of; 0: it is part of the first.
+std::size_t look_before(std::size_t member, const solver::EnsemblePlan& plan) {
+  std::size_t look = 0;
+  for (std::size_t n = plan.stop.min_members; n <= member; n *= 2) look = n;
+  return look;
+}
+
+}  // namespace
+
+void add_members(std::vector<SectionRecord>& sections, const solver::EnsemblePlan& plan) {
+  const std::size_t number = sections.size();
+  std::size_t from = 0;
+  for (std::size_t n = plan.stop.min_members; n <= plan.stop.max_members; from = n, n *= 2) {
+    const auto runs = member_runs(plan, from, n);
+    for (std::size_t i = 0; i < number; ++i) {
+      if (sections[i].state != db::SectionState::waiting) continue;
+      for (const MemberRun& run : runs) {
+        auto record = member_record(sections[i], run);
+        record.ordinal = static_cast<int>(sections.size());
+        sections.push_back(std::move(record));
+      }
+    }
+  }
+}
+
+bool is_beyond_first_look(const SectionRecord& section, const solver::EnsemblePlan& plan) {
+  return section.member && run_of(section).member >= plan.stop.min_members;
+}
+
+Resolution resolution_of(const SectionRecord& section, const Resolution& given,
+                         const std::optional<solver::CheckRule>& check) {
+  Resolution resolution = given;
+  if (section.member && section.member->finer) resolution.cell_m = check->cell_m.value();
+  return resolution;
+}
+
+std::string EnsembleLooks::not_needed(const Ensemble& ensemble, const solver::Place& place,
+                                      const SectionRecord& member) {
+  const std::size_t number = run_of(member).member;
+  OfSection& of = by_section_[member.member->of];
+  if (!of.ended_at && look_before(number, ensemble.asked.plan) > of.looked_at) {
+    const auto look = last_look(ensemble, place, store_.members(member.job, member.member->of));
+    if (look) {
+      of.looked_at = look->members;
+      if (look->summary.ending == solver::Ending::half_width) of.ended_at = look->members;
+    }
+  }
+  if (!of.ended_at || number < *of.ended_at) return "";
+  return fmt::format("not needed: {} members are sure enough", *of.ended_at);
+}
+
+}  // namespace leda::server

@@ -1,0 +1,110 @@
+#include "server/layers/job_ensemble.hpp"
+
+#include <utility>
+
+#include "profiles/place_result.hpp"
+#include "profiles/soil_along.hpp"
+#include "server/documents/simulate_request.hpp"
+#include "server/operate/problem.hpp"
+
+namespace leda::server {
+namespace {
+
+using db::SectionRecord;
+using db::SectionState;
+
+bool has_ended(const SectionRecord& section) {
+  return section.state != SectionState::waiting && section.state != SectionState::running;
+}
+
+MemberRow row_of(const Ensemble& ensemble, const solver::Place& place,
+                 const SectionRecord& member) {
+  MemberRow row = row_of(ensemble, place, run_of(member), member.result);
+  row.screened_stable = member.state == SectionState::stable;
+  return row;
+}
+
+}  // namespace
+
+MemberRun run_of(const SectionRecord& member) {
+  const db::MemberRecord& record = member.member.value();
+  return {static_cast<std::size_t>(record.number), static_cast<std::size_t>(record.repeat),
+          record.finer};
+}
+
+solver::Place place_of(const SectionRecord& section, const std::vector<SoilModel>& soil) {
+  const std::string& name = section.member ? section.member->section : section.name;
+  if (soil.size() < 2 || section.ground.empty()) return {"", name};
+  const Profile profile{name, section.trace, section.ground, {section.crest, section.toe}, {}};
+  const auto model = profiles::model_at(profiles::point_on_trace(profile, section.crest.x), soil);
+  return {model ? soil[*model].name : "", name};
+}
+
+std::optional<Look> last_look(const Ensemble& ensemble, const solver::Place& place,
+                              const std::vector<SectionRecord>& members) {
+  const auto& plan = ensemble.asked.plan;
+  std::optional<Look> last;
+  std::vector<MemberRow> rows;
+  for (std::size_t n = plan.stop.min_members; n <= plan.stop.max_members; n *= 2) {
+    while (rows.size() < members.size() && run_of(members[rows.size()]).member < n) {
+      const SectionRecord& member = members[rows.size()];
+      if (!has_ended(member)) return last;
+      rows.push_back(row_of(ensemble, place, member));
+    }
+    if (rows.empty() || rows.back().run.member + 1 < n) return last;
+    last = Look{n, solver::summarize(plan, members_of(rows))};
+    if (last->summary.ending != solver::Ending::more_members) return last;
+  }
+  return last;
+}
+
+JobEnsemble::JobEnsemble(const db::Store& store, std::variant<EnsembleCase, RegionRequest> request)
+    : store_(&store), request_(std::move(request)) {}
+
+std::optional<JobEnsemble> JobEnsemble::of(const db::Store& store, const db::JobRecord& job) {
+  if (job.process == "simulate-section") {
+    auto request = parse_simulate_request(job.request, Members::taken);
+    if (request && request.value->ensemble) {
+      return JobEnsemble(store, std::move(*request.value->ensemble));
+    }
+  }
+  if (job.process == "map-region") {
+    auto request = parse_region_request(job.request, DemNaming::registered_only);
+    if (request && request.value->ensemble) return JobEnsemble(store, std::move(*request.value));
+  }
+  return std::nullopt;
+}
+
+const Ensemble& JobEnsemble::asked() const {
+  if (const auto* region = std::get_if<RegionRequest>(&request_)) return *region->ensemble;
+  return std::get<EnsembleCase>(request_);
+}
+
+const std::vector<SoilModel>& JobEnsemble::soil() const {
+  static const std::vector<SoilModel> none;
+  const auto* region = std::get_if<RegionRequest>(&request_);
+  return region != nullptr ? region->soil : none;
+}
+
+EnsembleOfSection JobEnsemble::of_section(const SectionRecord& section) const {
+  const solver::Place place = place_of(section, soil());
+  const auto members = store_->members(section.job, section.ordinal);
+  EnsembleOfSection out;
+  for (const SectionRecord& member : members) {
+    if (!has_ended(member) || member.state == SectionState::left_out) continue;
+    out.rows.push_back(row_of(asked(), place, member));
+  }
+  if (auto look = last_look(asked(), place, members)) {
+    weigh(out.rows, look->members);
+    out.ensemble = SectionEnsemble{section.name, asked().asked, std::move(look->summary)};
+  }
+  return out;
+}
+
+JobEnsemble ensemble_or_problem(const db::Store& store, const db::JobRecord& job) {
+  auto ensemble = JobEnsemble::of(store, job);
+  if (!ensemble) throw Problem(Failure::no_such_result, "job " + job.id + " has no ensemble");
+  return std::move(*ensemble);
+}
+
+}  // namespace leda::server
