@@ -83,6 +83,13 @@ std::string page_of(const std::string& table, const PageFilter& filter,
          ".id LIMIT max(?7, 0)";
 }
 
+bool may_find(Database& database, const PageFilter& filter) {
+  if (!filter.job.empty()) return true;
+  return Query(database,
+               "SELECT 1 FROM jobs WHERE state = 'successful' AND raster_id IS NOT NULL LIMIT 1")
+      .next();
+}
+
 void bind_page(Query& query, const PageFilter& filter) {
   const MapBox box = filter.box.value_or(MapBox{});
   const double unrolled_east = box[2] + (box[0] > box[2] ? 360 : 0);
@@ -114,6 +121,7 @@ Coverage coverage_of(Database& database, const std::string& table, const std::st
 std::vector<SectionRecord> Store::section_page(const PageFilter& filter) const {
   return connection_->read([&](Database& database) {
     std::vector<SectionRecord> page;
+    if (!may_find(database, filter)) return page;
     Query rows(database,
                select_sections_without_ground() + page_of("sections", filter, no_members));
     bind_page(rows, filter);
@@ -124,6 +132,7 @@ std::vector<SectionRecord> Store::section_page(const PageFilter& filter) const {
 
 int Store::count_sections(const PageFilter& filter) const {
   return connection_->read([&](Database& database) {
+    if (!may_find(database, filter)) return 0;
     Query row(database,
               "SELECT count(*) FROM sections " + matches("sections", filter, no_members, false));
     bind_page(row, filter);

@@ -19,6 +19,10 @@ std::string matches(const std::string& table, const PageFilter& filter,
 std::string page_of(const std::string& table, const PageFilter& filter,
                     const std::string& condition);
 
+/// Whether a filter may find anything: without a job, features of jobs that succeeded alone are
+/// shown, and where there is none SQLite would read every row to find that out.
+bool may_find(Database& database, const PageFilter& filter);
+
 void bind_page(Query& query, const PageFilter& filter);
 
 /// What the features of jobs that succeeded cover. @param condition ends with AND

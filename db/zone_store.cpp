@@ -98,7 +98,8 @@ std::vector<ZoneRecord> Store::zones(const std::string& job) const {
 }
 
 std::vector<ZoneRecord> Store::zone_page(ZoneLayer layer, const PageFilter& filter) const {
-  return connection_->read([&](Database& database) {
+  return connection_->read([&](Database& database) -> std::vector<ZoneRecord> {
+    if (!may_find(database, filter)) return {};
     Query rows(database, columns + page_of("zones", filter, in_layer(layer)));
     bind_page(rows, filter);
     return zones_from(database, rows);
@@ -107,6 +108,7 @@ std::vector<ZoneRecord> Store::zone_page(ZoneLayer layer, const PageFilter& filt
 
 int Store::count_zones(ZoneLayer layer, const PageFilter& filter) const {
   return connection_->read([&](Database& database) {
+    if (!may_find(database, filter)) return 0;
     Query row(database,
               "SELECT count(*) FROM zones " + matches("zones", filter, in_layer(layer), false));
     bind_page(row, filter);

@@ -63,22 +63,26 @@ echo "registering the DEM (a reconstruction, no survey)"
 ask --data-binary "@$out/dem.tif" -H 'Content-Type: image/tiff' \
   "$url/rasters?name=sainte-monique" | jq -r '"  \(.id)  \(.crs)  \(.size[0]) x \(.size[1]) cells"'
 
-echo "submitting the region"
-job=$(ask -H 'Content-Type: application/json' --data-binary @deploy/demo/region.json \
-  "$url/processes/map-region/execution" | jq -r .jobID)
-echo "  job $job"
+# Submits a request and waits for its end, telling how far it is. Sets job.
+run_job() {
+  job=$(ask -H 'Content-Type: application/json' --data-binary @"$1" \
+    "$url/processes/map-region/execution" | jq -r .jobID)
+  echo "  job $job"
+  local last='' answer state line
+  while :; do
+    answer=$(ask "$url/jobs/$job")
+    state=$(jq -r .status <<<"$answer")
+    line=$(jq -r '"\(.progress) %  \(.message)"' <<<"$answer")
+    [[ $line == "$last" ]] || echo "  $line"
+    last=$line
+    [[ $state == accepted || $state == running ]] || break
+    sleep "${2:-1}"
+  done
+  [[ $state == successful ]] || { echo "the job is $state" >&2; exit 1; }
+}
 
-last=
-while :; do
-  answer=$(ask "$url/jobs/$job")
-  state=$(jq -r .status <<<"$answer")
-  line=$(jq -r '"\(.progress) %  \(.message)"' <<<"$answer")
-  [[ $line == "$last" ]] || echo "  $line"
-  last=$line
-  [[ $state == accepted || $state == running ]] || break
-  sleep 1
-done
-[[ $state == successful ]] || { echo "the job is $state" >&2; exit 1; }
+echo "submitting the region"
+run_job deploy/demo/region.json
 
 number='def number: if . == null then "-" else (. * 10 | round / 10 | tostring) end;'
 echo
@@ -105,8 +109,33 @@ echo "AA' and BB' side by side (drawing: $out/AA-BB.svg)"
 
 curl -fsS -o "$out/zones.gpkg" "$url/jobs/$job/export?f=gpkg"
 curl -fsS -o "$out/zones.geojson" "$url/jobs/$job/export?f=geojson"
+
+echo
+echo "How sure: the same soil with uncertain numbers, 16 members of 7 sections, a minute or two"
+jq --slurpfile ensemble deploy/demo/ensemble.json '.inputs.name += ", uncertain"
+  | .inputs.sections[2].spacing_m = 100 | .inputs.ensemble = $ensemble[0]' \
+  deploy/demo/region.json >"$out/uncertain-region.json"
+run_job "$out/uncertain-region.json" 5
+curl -fsS -o "$out/probability-zones.gpkg" "$url/jobs/$job/export?f=gpkg"
+for file in {release,runout}_probability.{tif,qml}; do
+  curl -fsS -o "$out/$file" "$url/jobs/$job/rasters/$file"
+done
+ask "$url/jobs/$job/compare?sections=$names&f=svg&of=curves" >"$out/AA-BB-curves.svg"
+echo
+echo "Retrogression/m that is exceeded with 95, 80, 50, 20 and 5 %, if a slide starts there"
+{
+  printf 'section\tslides\t95 %%\t80 %%\t50 %%\t20 %%\t5 %%\n'
+  for section in $(ask "$url/jobs/$job/sections" | jq -r '.sections[].name | @uri'); do
+    ask "$url/jobs/$job/sections/$section/ensemble" | jq -r '[.section,
+      "\(.probability_of_sliding.value * 100 | round) %",
+      (.retrogression.quantiles | sort_by(-.exceedance)[] | .text)] | @tsv'
+  done
+} | table
+echo "16 members know a probability to about 0.2: README.md, \"How sure\", has the command for more."
+
 echo
 echo "Zones:   $out/zones.gpkg and $out/zones.geojson (open them in QGIS)"
+echo "         $out/probability-zones.gpkg, $out/release_probability.tif and runout_probability.tif"
 echo "Data:    $out/data, served again by: $leda serve --data $out/data"
 if [[ -n $stay ]]; then
   echo "Map:     open $url in a browser; Ctrl-C ends the server"

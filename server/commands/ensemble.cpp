@@ -1,7 +1,6 @@
 // leda ensemble: how sure, of one section.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <thread>
 
@@ -9,6 +8,8 @@
 #include "disk/whole_file.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
+#include "server/commands/folder_option.hpp"
+#include "server/commands/progress_line.hpp"
 #include "server/documents/ensemble_case.hpp"
 #include "server/drawings/ensemble_drawing.hpp"
 #include "server/jobs/ensemble_folder.hpp"
@@ -94,11 +95,6 @@ void show_dry_run(const EnsembleCase& ensemble, bool as_json) {
              estimate["core_hours_at_most"].get<double>());
 }
 
-void show(const RunsProgress& p) {
-  fmt::print(stderr, "\r\033[K{} of {} runs done ({} found), {} running", p.done, p.runs, p.found,
-             p.running);
-}
-
 void leave(const SectionEnsemble& ensemble, const EnsembleRuns& runs, const fs::path& out) {
   std::string csv = members_csv_head(ensemble.asked.plan.inputs);
   for (const MemberRow& row : runs.rows) csv += members_csv_line(row);
@@ -117,17 +113,17 @@ int run(const Options& options) {
     return int(ExitCode::result);
   }
   const InterruptSignals signals;
-  const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
+  ProgressLine line(options.json);
   fs::create_directories(options.out);
   const std::size_t workers =
       options.workers > 0 ? options.workers : std::max(1U, std::thread::hardware_concurrency());
   LocalExecutor executor(program_beside(), workers);
   RunsListener listener;
   listener.interrupted = InterruptSignals::arrived;
-  if (terminal) listener.progress = show;
+  listener.progress = [&](const RunsProgress& progress) { line.show(text_of(progress)); };
   const EnsembleRuns done = run_ensemble(
       asked, options.out, options.keep_fields ? Fields::kept : Fields::removed, executor, listener);
-  if (terminal) fmt::print(stderr, "\n");
+  line.end();
   if (!done.summary) {
     fmt::print(stderr, "interrupted; the same command continues where this one was\n");
     return int(ExitCode::interrupted);
@@ -153,7 +149,8 @@ void add_ensemble(CLI::App& app, int& exit_code) {
       ->required()
       ->check(CLI::ExistingFile);
   command->add_option("--out", options->out, "folder of the ensemble; made where it is missing")
-      ->required();
+      ->required()
+      ->check(no_folder);
   command->add_option("--workers", options->workers, "runs at the same time; 0: one a core")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();

@@ -11,6 +11,7 @@
 
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
+#include "server/commands/folder_option.hpp"
 #include "server/commands/progress_line.hpp"
 #include "server/documents/result_document.hpp"
 #include "server/run/interrupt_signals.hpp"
@@ -119,11 +120,7 @@ void add_simulate(CLI::App& app, int& exit_code) {
       ->check(CLI::ExistingFile);
   command->add_option("--out", options->out, "folder of the result; made where it is missing")
       ->required()
-      ->check([](const std::string& path) {
-        return std::filesystem::is_regular_file(path)
-                   ? "is '" + path + "', a file: name a folder, which is made where it is missing"
-                   : std::string();
-      });
+      ->check(no_folder);
   command->add_flag("--json", options->json, "print result.json");
   command->add_flag("--no-progress", options->no_progress,
                     "no progress on standard error; DIR/progress.json has it");

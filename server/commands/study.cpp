@@ -1,7 +1,6 @@
 // leda study: one section over cell sizes, particles, time steps and seeds; error against run time.
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <thread>
@@ -9,6 +8,8 @@
 #include "db/store.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
+#include "server/commands/folder_option.hpp"
+#include "server/commands/progress_line.hpp"
 #include "server/documents/study_document.hpp"
 #include "server/drawings/study_drawing.hpp"
 #include "server/jobs/executors/local_executor.hpp"
@@ -62,20 +63,6 @@ std::size_t workers_of(const Options& options, const StudyFile& study) {
   return wanted > 0 ? std::size_t(wanted) : std::max(1U, std::thread::hardware_concurrency());
 }
 
-void show(const RunsProgress& p) {
-  fmt::print(stderr, "\r\033[K{} of {} runs done ({} found), {} running", p.done, p.runs, p.found,
-             p.running);
-}
-
-/// Where there is no terminal: a line a run.
-void show_line(const RunsProgress& p) {
-  static std::size_t shown = 0;
-  if (std::size_t(p.done) == shown) return;
-  shown = std::size_t(p.done);
-  fmt::print(stderr, "{} of {} runs done ({} found), {} running\n", p.done, p.runs, p.found,
-             p.running);
-}
-
 void leave(const Study& study, const fs::path& out) {
   disk::write_whole(out / "study.csv", study_csv(study));
   disk::write_whole(out / "study.svg", study_svg(study));
@@ -85,14 +72,14 @@ void leave(const Study& study, const fs::path& out) {
 int run(const Options& options) {
   StudyFile asked = read_study(options.study);
   const InterruptSignals signals;
-  const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
+  ProgressLine line(options.json);
   fs::create_directories(options.out);
   LocalExecutor executor(program_beside(), workers_of(options, asked));
   RunsListener listener;
   listener.interrupted = InterruptSignals::arrived;
-  if (!options.json) listener.progress = terminal ? show : show_line;
+  listener.progress = [&](const RunsProgress& progress) { line.show(text_of(progress)); };
   StudyRuns done = run_study(asked, options.out, executor, listener);
-  if (terminal) fmt::print(stderr, "\n");
+  line.end();
   if (done.interrupted) {
     fmt::print(stderr, "interrupted; the same command continues where this one was\n");
     return int(ExitCode::interrupted);
@@ -115,7 +102,8 @@ void add_study(CLI::App& app, int& exit_code) {
       app.add_subcommand("study", "Error against run time of one section over resolutions");
   command->add_option("study", options->study, "STUDY.json")->required()->check(CLI::ExistingFile);
   command->add_option("--out", options->out, "folder of the study; made where it is missing")
-      ->required();
+      ->required()
+      ->check(no_folder);
   command
       ->add_option("--workers", options->workers,
                    "runs at the same time, in place of the study's; 0: one a core")

@@ -1,5 +1,7 @@
 #include "server/jobs/case_runs.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <map>
 #include <thread>
@@ -107,6 +109,11 @@ class Running {
 };
 
 }  // namespace
+
+std::string text_of(const RunsProgress& p) {
+  return fmt::format("{} of {} runs done ({} found), {} running", p.done, p.runs, p.found,
+                     p.running);
+}
 
 CaseRunEnds run_cases(const std::vector<CaseRun>& runs, const fs::path& folder, Fields fields,
                       Executor& executor, const RunsListener& listener) {

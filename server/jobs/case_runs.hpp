@@ -30,6 +30,9 @@ struct RunsProgress {
   std::size_t found = 0;  ///< of those done: they stood in the folder
 };
 
+/// "3 of 12 runs done (1 found), 2 running"
+std::string text_of(const RunsProgress& progress);
+
 struct RunsListener {
   std::function<void(const RunsProgress&)> progress;  ///< when a run began or ended
   std::function<bool()> interrupted;                  ///< true ends the runs

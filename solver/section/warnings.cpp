@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "solver/section/crest_and_toe.hpp"
 #include "solver/section/fault_list.hpp"
@@ -54,6 +55,18 @@ void warn_of_thin_layers(const Section& section, const Resolution& resolution,
     std::string name = "layer " + std::to_string(entry.layer + 1) + " (" + material + ")";
     if (!section.columns.empty()) name += " of column " + std::to_string(entry.list + 1);
     warn_of_rounding(name, entry.seen, resolution, warnings);
+  }
+}
+
+/// A material that no layer names changes nothing: a name misspelt elsewhere, or a layer forgotten.
+void warn_of_unused_materials(const Section& section, std::vector<std::string>& warnings) {
+  std::set<std::string> used;
+  for (const Layer& layer : section.layers) used.insert(layer.material);
+  for (const SoilColumn& column : section.columns) {
+    for (const Layer& layer : column.layers) used.insert(layer.material);
+  }
+  for (const auto& [name, material] : section.materials) {
+    if (!used.contains(name)) warnings.push_back("material '" + name + "' is in no layer");
   }
 }
 
@@ -116,6 +129,7 @@ std::vector<std::string> warnings_of(const Section& section, const RunSettings& 
   warn_of_thin_layers(section, settings.resolution, warnings);
   warn_of_thin_cuts(section, settings, warnings);
   warn_of_water(section, warnings);
+  warn_of_unused_materials(section, warnings);
   warn_of_fields(section, settings.resolution, warnings);
   add_new(warnings, warnings_of(section.materials));
   return warnings;

@@ -54,12 +54,14 @@ class RegionOnSlurm : public testing::Test {
             OneNodeSlurm::instance().completion_file().string()};
   }
 
-  std::string submit(LedaServer& server, double cell_m) const {
+  /// @param ensemble null: none
+  std::string submit(LedaServer& server, double cell_m, const json& ensemble = nullptr) const {
     std::ifstream file(folder.path() / "bank.asc", std::ios::binary);
     const std::string dem{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     server.client().Post(std::string("/rasters") + bank_query, dem, "image/tiff");
     json region = bank_region();
     region["inputs"]["resolution"]["cell_m"] = cell_m;
+    if (!ensemble.is_null()) region["inputs"]["ensemble"] = ensemble;
     const auto answer =
         server.client().Post("/processes/map-region/execution", region.dump(), "application/json");
     if (!answer || answer->status != 201) throw std::runtime_error("the job was not accepted");
@@ -75,7 +77,7 @@ class RegionOnSlurm : public testing::Test {
         section.erase(own);
       }
     }
-    for (const char* layer : {"release_zones", "runout_zones"}) {
+    for (const char* layer : {"release_zones", "runout_zones", "probability_zones"}) {
       for (auto& zone : results[layer]["features"]) {
         zone.erase("id");
         for (const char* own : {"job", "made_by", "leda_job"}) zone["properties"].erase(own);
@@ -83,7 +85,17 @@ class RegionOnSlurm : public testing::Test {
     }
     return {{"sections", results["sections"]},
             {"release_zones", results["release_zones"]["features"]},
-            {"runout_zones", results["runout_zones"]["features"]}};
+            {"runout_zones", results["runout_zones"]["features"]},
+            {"probability_zones", results["probability_zones"]["features"]}};
+  }
+
+  static json how_sure(LedaServer& server, const std::string& job) {
+    json ensembles = json::array();
+    for (const char* section : {"AA%27", "BB%27", "S001", "S002"}) {
+      ensembles.push_back(server.get("/jobs/" + job + "/sections/" + section + "/ensemble"));
+      ensembles.back().erase("core_s");
+    }
+    return ensembles;
   }
 
   json local_results(double cell_m) const {
@@ -149,6 +161,30 @@ TEST_F(RegionOnSlurm, AKilledServerAdoptsItsRuns) {
     EXPECT_EQ(section["state"], "finished");
     EXPECT_EQ(section["attempts"], 1) << "it was running, and was adopted: " << section.dump(1);
   }
+}
+
+TEST_F(RegionOnSlurm, MembersGiveTheLocalPoolsNumbersAlthoughTheServerIsKilled) {
+  const json ensemble = json::parse(R"({
+    "inputs": [{"name": "su", "path": "/soil/materials/*/peak_strength_kPa", "apply": "scale",
+                "distribution": {"type": "lognormal", "mean": 1, "cov": 0.3}}],
+    "sampling": {"replicates": 2},
+    "stop": {"min_members": 16, "max_members": 16, "half_width": 0.01}})");
+  constexpr double cell_m = 2;
+  std::string job;
+  {
+    LedaServer server(folder.path() / "data", on_slurm());
+    job = submit(server, cell_m, ensemble);
+    ASSERT_TRUE(wait_for_progress());
+    server.kill_hard();
+  }
+  LedaServer server(folder.path() / "data", on_slurm());
+  const json status = server.wait_for_job(job);
+  EXPECT_EQ(status["message"], "4 sections: 4 with a result; 64 members: 64 with a result");
+  LedaServer local(folder.path() / "local", {"--workers", "2"});
+  const std::string same = submit(local, cell_m, ensemble);
+  EXPECT_EQ(local.wait_for_job(same)["status"], "successful");
+  EXPECT_EQ(how_sure(server, job), how_sure(local, same));
+  EXPECT_EQ(what_came_out(server, job), what_came_out(local, same));
 }
 
 TEST_F(RegionOnSlurm, ADismissedJobLeavesTheQueueEmpty) {

@@ -26,15 +26,27 @@ using Clock = std::chrono::steady_clock;
 struct Wanted {
   int sections = 300;
   int kills = 110;
-  int others = 3;  ///< full disks, damaged results and held stores, each
+  int others = 3;   ///< full disks, damaged results and held stores, each
+  int members = 0;  ///< of each section; 0: no ensemble
   unsigned seed = 1;
   bool mount = true;
 };
 
 const std::vector<std::string> serve_options{"--workers", "2"};
 
-json region_of(int sections) {
+json ensemble_of(int members) {
+  return {{"inputs",
+           {{{"name", "su"},
+             {"path", "/soil/materials/*/peak_strength_kPa"},
+             {"apply", "scale"},
+             {"distribution", {{"type", "uniform"}, {"min", 0.8}, {"max", 1.2}}}}}},
+          {"sampling", {{"replicates", 4}}},
+          {"stop", {{"min_members", members}, {"max_members", members}, {"half_width", 0.01}}}};
+}
+
+json region_of(int sections, int members) {
   json region = bank_region();
+  if (members > 0) region["inputs"]["ensemble"] = ensemble_of(members);
   auto& inputs = region["inputs"];
   constexpr double south = 5113020, length_m = 360;
   inputs["sections"] = json::array({{{"along", {{380300, south}, {380300, south + length_m}}},
@@ -104,7 +116,7 @@ int run(const Wanted& wanted) {
   const TemporaryFolder folder;
   const auto dem = folder.path() / "bank.asc";
   write_wavy_bank(dem);
-  const json region = region_of(wanted.sections);
+  const json region = region_of(wanted.sections, wanted.members);
 
   auto begin = Clock::now();
   const auto quiet_data = folder.path() / "quiet";
@@ -137,6 +149,7 @@ int run(const Wanted& wanted) {
     faults.push_back("the job was done before all other disturbances: take more sections");
   }
   std::cout << json{{"sections", expected.results.size()},
+                    {"members", wanted.members},
                     {"server_kills", done.server_kills},
                     {"worker_kills", done.worker_kills},
                     {"full_disks", done.full_disks},
@@ -165,6 +178,8 @@ int main(int argc, char** argv) {
       wanted.sections = value();
     } else if (words[i] == "--kills") {
       wanted.kills = value();
+    } else if (words[i] == "--members") {
+      wanted.members = value();
     } else if (words[i] == "--others") {
       wanted.others = value();
     } else if (words[i] == "--seed") {
@@ -172,7 +187,8 @@ int main(int argc, char** argv) {
     } else if (words[i] == "--no-mount") {
       wanted.mount = false;
     } else {
-      std::cerr << "nothing_lost [--sections N] [--kills N] [--others N] [--seed N] [--no-mount]\n";
+      std::cerr << "nothing_lost [--sections N] [--members N] [--kills N] [--others N] [--seed N] "
+                   "[--no-mount]\n";
       return 2;
     }
   }

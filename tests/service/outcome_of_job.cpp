@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 #include "db/result_file.hpp"
@@ -46,6 +47,24 @@ bool same_fields(const std::filesystem::path& one, const std::filesystem::path& 
   }
 }
 
+/// The members of an ensemble without what each took; empty where there is none.
+std::string members_of(LedaServer& server, const std::string& job) {
+  const auto answer = server.client().Get("/jobs/" + job + "/members?f=csv");
+  std::string members, line;
+  if (!answer || answer->status != 200) return members;
+  constexpr int run_time_from_behind = 3;  // before hash and version
+  std::istringstream lines(answer->body);
+  while (std::getline(lines, line)) {
+    std::size_t end = line.size(), begin = end;
+    for (int cell = 0; cell < run_time_from_behind; ++cell) {
+      end = begin;
+      begin = line.rfind(',', begin - 1);
+    }
+    members += line.erase(begin, end - begin) + "\n";
+  }
+  return members;
+}
+
 std::int64_t number_from(sqlite3* store, const char* query) {
   sqlite3_stmt* statement = nullptr;
   if (sqlite3_prepare_v2(store, query, -1, &statement, nullptr) != SQLITE_OK ||
@@ -63,7 +82,9 @@ JobOutcome outcome_of(LedaServer& server, const std::filesystem::path& data,
                       const std::string& job) {
   JobOutcome outcome;
   const json results = server.get("/jobs/" + job + "/results");
-  outcome.zones = {geometries(results["release_zones"]), geometries(results["runout_zones"])};
+  outcome.zones = {geometries(results["release_zones"]), geometries(results["runout_zones"]),
+                   geometries(results["probability_zones"])};
+  outcome.members = members_of(server, job);
   for (const auto& section : results["sections"]) {
     const std::string name = section["name"];
     const auto folder = data / "runs" / section["run"].get<std::string>();
@@ -83,6 +104,7 @@ std::vector<std::string> differences(const JobOutcome& one, const JobOutcome& ot
   std::vector<std::string> found;
   if (one.results.size() != other.results.size()) found.emplace_back("the number of sections");
   if (one.zones != other.zones) found.emplace_back("the zones");
+  if (one.members != other.members) found.emplace_back("the members");
   for (const auto& [name, result] : one.results) {
     const auto same = other.results.find(name);
     if (same == other.results.end()) {

@@ -12,7 +12,8 @@
 namespace leda::tests {
 
 struct JobOutcome {
-  nlohmann::json zones;                                  ///< geometry of release and runout zones
+  nlohmann::json zones;  ///< geometry of release, runout and probability zones
+  std::string members;   ///< members.csv without run times; empty: no ensemble
   std::map<std::string, nlohmann::json> results;         ///< result.json by section
   std::map<std::string, std::string> profiles;           ///< profile_after.csv by section
   std::map<std::string, std::filesystem::path> folders;  ///< of the run whose result stands

@@ -27,7 +27,7 @@ json uncertain_region() {
       {"name": "water", "path": "/soil/water_table/depth_m", "scope": "section",
        "distribution": {"type": "triangular", "min": 0, "mode": 1, "max": 4}}],
     "sampling": {"replicates": 4},
-    "stop": {"min_members": 8, "max_members": 16, "half_width": 0.01},
+    "stop": {"min_members": 16, "max_members": 16, "half_width": 0.01},
     "check": {"members": 2, "seeds": 2}})");
   return region;
 }
@@ -236,11 +236,12 @@ TEST_F(RegionEnsemble, EveryFaultIsToldBeforeAnythingIsStored) {
 TEST_F(RegionEnsemble, ADryRunTellsTheLeastAndTheMost) {
   json region = uncertain_region();
   region["dryRun"] = true;
+  region["inputs"]["ensemble"]["stop"]["max_members"] = 64;
   const auto answer = execute(region);
   ASSERT_EQ(answer->status, 200) << answer->body;
   const json dry = json::parse(answer->body);
   EXPECT_EQ(dry["sections"].size(), 4U);
-  EXPECT_EQ(dry["estimate"]["runs"], 4 + 4 * (16 + 2));
+  EXPECT_EQ(dry["estimate"]["runs"], 4 + 4 * (64 + 2));
   EXPECT_LT(dry["estimate"]["core_hours_at_least"], dry["estimate"]["core_hours"]);
 }
 
