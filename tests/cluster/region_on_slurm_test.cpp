@@ -167,7 +167,7 @@ TEST_F(RegionOnSlurm, MembersGiveTheLocalPoolsNumbersAlthoughTheServerIsKilled) 
   const json ensemble = json::parse(R"({
     "inputs": [{"name": "su", "path": "/soil/materials/*/peak_strength_kPa", "apply": "scale",
                 "distribution": {"type": "lognormal", "mean": 1, "cov": 0.3}}],
-    "sampling": {"replicates": 2},
+    "sampling": {"replicates": 4},
     "stop": {"min_members": 16, "max_members": 16, "half_width": 0.01}})");
   constexpr double cell_m = 2;
   std::string job;

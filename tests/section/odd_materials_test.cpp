@@ -145,6 +145,19 @@ TEST(OddSection, ScalesOfFluctuationBeyondCellsAndSectionAreTold) {
   EXPECT_NE(told[1].find("a cell of at most 0.95 m follows it"), std::string::npos);
 }
 
+TEST(OddSection, AMaterialInNoLayerIsTold) {
+  Section s = test::bank();
+  s.materials["silt"] = s.materials.at("clay");
+  const auto told = warnings_of(s, {});
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0], "material 'silt' is in no layer");
+  Layer silt;
+  silt.material = "silt";
+  s.columns = {{0, 50, s.layers}, {50, 100, {silt}}};
+  s.layers.clear();
+  EXPECT_TRUE(warnings_of(s, {}).empty());
+}
+
 TEST(OddSection, WaterBelowTheBaseIsTold) {
   Section s = test::bank();
   s.water_table->depth_m = 25;
