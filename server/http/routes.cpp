@@ -49,6 +49,8 @@ constexpr std::array table{
     Route{"GET", "/jobs/{jobID}/sections/{name}/frames", get_frames,
           "The particles of its latest run over time", "field first count",
           "application/octet-stream"},
+    Route{"GET", "/jobs/{jobID}/sections/{name}/fields.h5", get_fields,
+          "The particles of its latest run as HDF5", "", "application/x-hdf5"},
     Route{"GET", "/jobs/{jobID}/map", get_job_map,
           "Sections and zones in the DEM's CRS, for drawing", "", "application/vnd.leda.map+json"},
     Route{"GET", "/jobs/{jobID}/export", get_export, "Sections and zones as a file", "f",

@@ -1,4 +1,5 @@
-// The particles of a run over time, packed for drawing: see deploy/operate.md.
+// The particles of a run over time: packed for drawing (see server/page/README.md), and as the run
+// wrote them.
 
 #include <algorithm>
 #include <cmath>
@@ -118,14 +119,27 @@ std::string packed(const std::vector<Frame>& frames, json head) {
   return bytes;
 }
 
-std::filesystem::path fields_file(const Service& service, const Call& call) {
-  const auto found = sections_or_problem(service.store, call.captured[0], {call.captured[1]});
-  const std::string& run = found.front().run;
-  const auto file = service.data.run(run) / "fields.h5";
-  if (run.empty() || !std::filesystem::exists(file)) {
-    throw Problem(Failure::no_such_resource, "no run of this section left frames");
+std::string why_no_fields(const db::SectionRecord& section) {
+  const std::string of = "section '" + section.name + "' has no fields.h5: ";
+  if (section.run.empty()) {
+    return of + "it is " + db::to_string(section.state) + " and was not run" +
+           (section.reason.empty() ? "" : " (" + section.reason + ")");
+  }
+  if (section.state == db::SectionState::running) return of + "its run is not over";
+  if (section.member) return of + "it is a member of an ensemble, of which none are kept";
+  return of + "run " + section.run + " left none, or it was removed";
+}
+
+std::filesystem::path fields_file(const Service& service, const db::SectionRecord& section) {
+  const auto file = service.data.run(section.run) / "fields.h5";
+  if (section.run.empty() || !std::filesystem::exists(file)) {
+    throw Problem(Failure::no_such_resource, why_no_fields(section));
   }
   return file;
+}
+
+db::SectionRecord section_of(const Service& service, const Call& call) {
+  return sections_or_problem(service.store, call.captured[0], {call.captured[1]}).front();
 }
 
 }  // namespace
@@ -134,7 +148,7 @@ Answer get_frames(Site& site, const Call& call) {
   const Drawn drawn = drawn_of(call);
   const auto first = static_cast<std::size_t>(whole_number(call, "first", 0, 0, 1'000'000));
   const auto count = static_cast<std::size_t>(whole_number(call, "count", 20, 1, most_frames));
-  const auto file = fields_file(site.service, call);
+  const auto file = fields_file(site.service, section_of(site.service, call));
   const db::Turns::Turn turn(site.pages);
   db::FrameWindow window{first, count, most_particles, {"x", "z"}, drawn.name == "material"};
   window.fields.insert(window.fields.end(), drawn.fields.begin(), drawn.fields.end());
@@ -146,6 +160,20 @@ Answer get_frames(Site& site, const Call& call) {
   Answer answer;
   answer.type = "application/octet-stream";
   answer.body = packed(part.frames, std::move(head));
+  return answer;
+}
+
+Answer get_fields(Site& site, const Call& call) {
+  const auto section = section_of(site.service, call);
+  Answer answer;
+  answer.file = fields_file(site.service, section);
+  // A run writes its fields once; another try of the section is another run.
+  const std::string tag = "\"" + section.run + "-fields\"";
+  if (has_already(call, tag)) return not_modified(tag);
+  answer.type = "application/x-hdf5";
+  answer.headers.emplace_back("ETag", tag);
+  answer.headers.emplace_back("Content-Disposition",
+                              "attachment; filename=\"" + section.run + "-fields.h5\"");
   return answer;
 }
 

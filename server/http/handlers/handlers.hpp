@@ -43,6 +43,7 @@ Answer get_job_map(Site& site, const Call& call);
 
 // frames.cpp
 Answer get_frames(Site& site, const Call& call);
+Answer get_fields(Site& site, const Call& call);
 
 // ensembles.cpp
 Answer get_section_ensemble(Site& site, const Call& call);

@@ -218,6 +218,29 @@ TEST_F(Frames, PastTheEndThereAreNone) {
   expect_problem(client.Get(path + "?field=colour"), 400, "no such field");
 }
 
+TEST_F(Frames, AllOfThemAreHandedOutAsTheRunWroteThem) {
+  leave_frames();
+  const std::string whole = tests::read_text(service.data.run("done-0-1") / "fields.h5");
+  const std::string fields = path.substr(0, path.rfind('/')) + "/fields.h5";
+  const auto answer = client.Get(fields);
+  ASSERT_EQ(answer->status, 200) << answer->body;
+  EXPECT_EQ(answer->get_header_value("Content-Type"), "application/x-hdf5");
+  EXPECT_EQ(answer->body, whole);
+  const auto part = client.Get(fields, {httplib::make_range_header({{1, 3}})});
+  EXPECT_EQ(part->status, 206);
+  EXPECT_EQ(part->body, "HDF");
+  const httplib::Headers again{{"If-None-Match", answer->get_header_value("ETag")}};
+  EXPECT_EQ(client.Get(fields, again)->status, 304);
+}
+
+TEST_F(Frames, WhyThereAreNoFieldsIsSaid) {
+  const std::string fields = path.substr(0, path.rfind('/')) + "/fields.h5";
+  const auto going = client.Get(fields);
+  expect_problem(going, 404, "the run is not over");
+  EXPECT_NE(going->body.find("its run is not over"), std::string::npos) << going->body;
+  expect_problem(client.Get("/jobs/done/sections/ZZ/fields.h5"), 404, "no such section");
+}
+
 TEST_F(Frames, ARunThatLeftNoneSaysSo) { expect_problem(client.Get(path), 404, "no fields.h5"); }
 
 }  // namespace
