@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
-import {draft_of, has_models, model_pointer, new_draft, preset, preset_names,
+import {draft_of, has_models, keep_draft, kept_draft, model_pointer, new_draft, preset, preset_names,
   request_of} from '../../../server/page/src/draft';
 import presets from '../../../server/page/src/presets.json';
 import type {Json} from '../../../server/page/src/types';
@@ -60,4 +60,19 @@ test('presets are the cases of the thesis, with elevations counted from the toe'
       assert.deepEqual(layers[at], expected, one.name);
     });
   });
+});
+
+test('an ensemble goes in, is kept over a reload, and comes out as it was', () => {
+  const request = read('deploy/demo/region.json');
+  request.inputs.ensemble = {
+    inputs: [{name: 'su', path: '/soil/materials/*/peak_strength_kPa', apply: 'scale', scope: 'region',
+      distribution: {type: 'lognormal', mean: 1, cov: 0.4}}],
+    sampling: {replicates: 4}, stop: {min_members: 16}, exceedance: [0.05, 0.5],
+  };
+  let kept = '';
+  const storage = globalThis.localStorage;
+  globalThis.localStorage = {getItem: () => kept, setItem: (_: string, text: string) => (kept = text)} as unknown as Storage;
+  keep_draft(draft_of(request as Json));
+  assert.deepEqual(request_of(kept_draft()), request);
+  globalThis.localStorage = storage;
 });

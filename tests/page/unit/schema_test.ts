@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
+import {paths_to_numbers} from '../../../server/page/src/form/paths';
 import {type Schema, Schemas, pointer_part, typed_number, unit_of,
   variant_name} from '../../../server/page/src/form/schema';
 import {words} from '../../../server/page/src/words';
@@ -23,11 +24,31 @@ test('the variant of a value is the one it is written in', () => {
   assert.deepEqual(schemas.variants(schemas.resolve({$ref: '#/definitions/material'})), []);
 });
 
+test('variants of one name are told by what they hold, and by their name while that is missing', () => {
+  const laws = schemas.variants(schemas.resolve({$ref: '#/definitions/distribution'}));
+  const variant = (value: JsonObject) => laws[schemas.variant_of(laws, value)]!.required!.join(' ');
+  assert.equal(variant({type: 'lognormal', mean: 1, cov: 0.2}), 'type mean cov');
+  assert.equal(variant({type: 'lognormal', median: 1, sd_ln: 0.2}), 'type median sd_ln');
+  assert.equal(variant({type: 'pert', min: 1, mode: 2, max: 3}), 'type min mode max');
+  assert.equal(variant({type: 'uniform', min: 1}), 'type min max');
+  assert.equal(variant({type: 'discrete', values: [1], weights: [1]}), 'type values weights');
+  assert.equal(variant_name(laws[schemas.variant_of(laws, {type: 'pert'})]!), 'triangular, pert');
+});
+
+test('numbers of a request are found by their pointers, those of all materials by one', () => {
+  const soil = {base_m: 0, materials: {S1: {k0: 0.5, softening: {alpha: 0.9, law: 'urmi'}}, 'B/1': {k0: 0.6}}};
+  assert.deepEqual(paths_to_numbers({soil, name: 'x', trigger: {kind: 'undrained', then_toe_cut_m: 3}} as JsonObject), [
+    '/soil/materials/*/k0', '/soil/base_m', '/soil/materials/S1/k0', '/soil/materials/S1/softening/alpha',
+    '/soil/materials/B~11/k0', '/trigger/then_toe_cut_m']);
+});
+
 test('a blank value holds what must be there, and constants', () => {
   assert.deepEqual(schemas.blank({$ref: '#/definitions/trigger_undrained'}), {kind: 'undrained'});
   const softening = schemas.blank({$ref: '#/definitions/softening'}) as JsonObject;
   assert.equal(softening.law, 'urmi');
   assert.ok('alpha' in softening);
+  const {inputs} = schemas.blank({$ref: '#/definitions/ensemble'}) as {inputs: JsonObject[]};
+  assert.deepEqual(Object.keys(inputs[0]!), ['name', 'path', 'distribution']);
 });
 
 test('units stand in names', () => {
@@ -60,6 +81,7 @@ test('every member of the schema has a label in both languages', () => {
     }
   };
   look({$ref: '#/definitions/soil_model'});
+  look({$ref: '#/definitions/ensemble'});
   for (const name of ['trigger', 'resolution', 'damping', 'time_step_factor', 'stop', 'output', 'screening']) {
     seen.add(name);
     look(region.properties!.inputs!.properties![name]!);

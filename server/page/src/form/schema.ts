@@ -44,20 +44,24 @@ export class Schemas {
 
   /** The variant that a value is written in, else the first. */
   variant_of(variants: readonly Schema[], value: Json | undefined): number {
-    const found = variants.findIndex((variant) => this.fits(variant, value));
-    return Math.max(found, 0);
+    const whole = variants.findIndex((variant) => this.fits(variant, value, true));
+    // What is not typed yet is missing: what it is called tells it too.
+    return Math.max(whole >= 0 ? whole : variants.findIndex((variant) => this.fits(variant, value, false)), 0);
   }
 
-  private fits(schema: Schema, value: Json | undefined): boolean {
+  private fits(schema: Schema, value: Json | undefined, whole: boolean): boolean {
     if (typeof value !== 'object' || value === null || Array.isArray(value)) {
       return schema.type === kind_of(value) || (schema.type === undefined && !schema.properties);
     }
     if (schema.type !== 'object') return false;
+    let called = false;
     for (const [name, member] of Object.entries(schema.properties ?? {})) {
-      const wanted = this.resolve(member).const;
-      if (wanted !== undefined) return value[name] === wanted;
+      const {const: wanted, enum: words} = this.resolve(member);
+      if (wanted === undefined && !(words && schema.required?.includes(name))) continue;
+      called = true;
+      if (wanted !== undefined ? value[name] !== wanted : !words!.includes(value[name] ?? null)) return false;
     }
-    return (schema.required ?? []).every((name) => name in value);
+    return (called && !whole) || (schema.required ?? []).every((name) => name in value);
   }
 
   /** The least that a value of this form holds: what must be there, empty, and constants. */
@@ -65,6 +69,7 @@ export class Schemas {
     const form = this.resolve(schema);
     if (form.const !== undefined) return form.const;
     if (form.default !== undefined) return form.default;
+    if (form.enum) return form.enum[0];
     const variants = this.variants(form);
     if (variants.length > 0) return this.blank(variants[0]!);
     if (form.type === 'object') {
@@ -88,8 +93,9 @@ function kind_of(value: Json | undefined): string {
 
 /** How a variant is told from the others: its law, its kind, or the member that only it has. */
 export function variant_name(schema: Schema): string {
-  for (const member of Object.values(schema.properties ?? {})) {
+  for (const [name, member] of Object.entries(schema.properties ?? {})) {
     if (typeof member.const === 'string') return member.const;
+    if (member.enum && schema.required?.includes(name)) return member.enum.join(', ');
   }
   return schema.required?.[0] ?? schema.type ?? '';
 }

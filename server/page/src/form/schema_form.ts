@@ -16,9 +16,11 @@ function label_of(name: string): string {
 
 export class SchemaForm {
   /** @param changed called after every change of the document
-   *  @param names_of what a member may be chosen from, by its name: materials for "material" */
+   *  @param names_of what a member may be chosen from, by its name: materials for "material"
+   *  @param suggestions what may be typed, and other text too */
   constructor(private readonly schemas: Schemas, private readonly changed: () => void,
-              private readonly names_of: (member: string) => string[] | null = () => null) {}
+              private readonly names_of: (member: string) => string[] | null = () => null,
+              private readonly suggestions: (member: string) => string[] = () => []) {}
 
   /** Fields of the members of an object, and a way to add those that may be there. */
   members(schema: Schema, object: JsonObject, pointer: string, only?: readonly string[]): HTMLElement {
@@ -57,7 +59,9 @@ export class SchemaForm {
 
   private is_block(member: Schema): boolean {
     const form = this.schemas.resolve(member);
-    return form.type === 'object' || form.type === 'array';
+    const variants = this.schemas.variants(form);
+    return form.type === 'object' || form.type === 'array' || (variants.length > 0 &&
+      variants.every((variant) => variant.type === 'object'));
   }
 
   private adder(absent: readonly string[], schema: Schema, object: JsonObject, again: () => void): HTMLElement {
@@ -124,9 +128,12 @@ export class SchemaForm {
       input = field;
     }
     const unit = form.type === 'number' ? unit_of(name) : '';
+    const suggested = this.suggestions(name);
+    if (suggested.length > 0) input.setAttribute('list', `${id}-list`);
     return h('div', {class: 'field', 'data-pointer': pointer},
       h('label', {for: id}, label_of(name)), h('span', {class: 'input'}, input, h('span', {class: 'unit'}, unit),
-        remove));
+        remove), suggested.length > 0 ? h('datalist', {id: `${id}-list`}, suggested.map((one) => h('option',
+        {value: one}))) : null);
   }
 
   /** A value of one of several forms. */
@@ -140,7 +147,7 @@ export class SchemaForm {
       this.changed();
       box.replaceWith(this.choice(name, variants, place, pointer, remove));
     }}, variants.map((variant, i) => h('option', {value: i}, variant.type === 'number' ? t('constant')
-      : word_or(`field_${variant_name(variant)}`, variant_name(variant)))));
+      : variant_label(variant, variants))));
     const box: HTMLElement = plain.type === 'object'
       ? h('fieldset', {'data-pointer': pointer}, h('legend', {}, label_of(name), ' ', variants.length > 1 ? kinds
         : null, ' ', remove),
@@ -178,6 +185,15 @@ export class SchemaForm {
     if (item.type === 'object') {
       return h('div', {class: 'item'}, h('div', {class: 'item-head'}, h('span', {class: 'quiet'}, i + 1), tools),
         this.members(item, value as JsonObject, pointer));
+    }
+    if (item.type !== 'array') {
+      const is_number = item.type === 'number';
+      const field = h('input', {type: 'text', inputmode: is_number ? 'decimal' : 'text', value: value ?? '',
+        'aria-label': String(i + 1), oninput: () => {
+          list[i] = (is_number ? typed_number(field.value) : field.value) ?? null;
+          this.changed();
+        }});
+      return h('div', {class: 'item numbers', 'data-pointer': pointer}, field, tools);
     }
     const row = (Array.isArray(value) ? value : [value]) as Json[];
     list[i] = row;
@@ -229,6 +245,15 @@ export class SchemaForm {
     fill();
     return box;
   }
+}
+
+/** Two of one name are told apart by what they ask for. */
+function variant_label(variant: Schema, variants: readonly Schema[]): string {
+  const name = variant_name(variant);
+  const label = word_or(`field_${name}`, name);
+  if (variants.filter((one) => variant_name(one) === name).length < 2) return label;
+  const asked = (variant.required ?? []).filter((member) => variant.properties?.[member]?.const === undefined);
+  return `${label} (${asked.map(label_of).join(', ')})`;
 }
 
 function value_at({holder, key}: Place): Json | undefined {

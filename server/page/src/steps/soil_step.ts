@@ -6,6 +6,7 @@ import {fill, h, later, save} from '../dom';
 import {plot} from '../drawing/curve_plot';
 import {profile_svg} from '../drawing/profile_svg';
 import {layers_on} from '../drawing/soil_layers';
+import {paths_to_numbers} from '../form/paths';
 import {SchemaForm} from '../form/schema_form';
 import {type Schema, Schemas} from '../form/schema';
 import {mark_faults} from '../form/faults';
@@ -17,7 +18,7 @@ import {show, t} from '../words';
 import {Report, button, field} from './parts';
 
 /** Members of the request that other steps hold. */
-const elsewhere = ['name', 'dem', 'sections', 'soil', 'dryRun', 'ensemble'];
+const elsewhere = ['name', 'dem', 'sections', 'soil', 'dryRun'];
 
 interface Process {
   inputs: Record<string, {schema: Schema; minOccurs: number}>;
@@ -88,16 +89,24 @@ export function soil_step(map: MapView): HTMLElement {
         changed();
         void rebuild();
       }),
-      h('h3', {}, t('settings')), settings_form(schemas));
+      h('h3', {}, t('settings')), settings_form(schemas),
+      h('h3', {}, t('ensemble')), h('p', {}, t('ensemble_intro')), ensemble_form(schemas));
     mark_faults(form_box, state.faults);
     draw_pictures();
   };
 
   const settings_form = (schemas: Schemas) => {
-    const names = Object.keys(schemas.resolve(schemas.whole).properties ?? {}).filter((name) => !elsewhere.includes(
-      name));
+    const names = Object.keys(schemas.resolve(schemas.whole).properties ?? {}).filter((name) => name !== 'ensemble' &&
+      !elsewhere.includes(name));
     const form = new SchemaForm(schemas, changed);
     return form.members(schemas.whole, state.draft.settings, '/inputs', names);
+  };
+
+  /** Which numbers are uncertain; paths lead into the request as it stands. */
+  const ensemble_form = (schemas: Schemas) => {
+    const form = new SchemaForm(schemas, changed, undefined, (member) =>
+      (member === 'path' ? paths_to_numbers(request_of(state.draft).inputs) : []));
+    return form.members(schemas.whole, state.draft.settings, '/inputs', ['ensemble']);
   };
 
   const model_form = (schemas: Schemas, i: number): HTMLElement => {
