@@ -3,7 +3,7 @@
 import {Problem, get} from './api';
 import {settle, state, tell} from './state';
 import type {Step} from './state';
-import type {Job, JobMap, Raster, SectionDetail} from './types';
+import type {Ensemble, Job, JobMap, Raster, SectionDetail} from './types';
 
 export function go(step: Step): void {
   state.step = step;
@@ -47,6 +47,16 @@ function write_address(): void {
 
 export function section_address(job: string, name: string): string {
   return `jobs/${job}/sections/${encodeURIComponent(name)}`;
+}
+
+/** What the members of a section say; nothing where the first of them are not over. */
+export async function ensemble_of(job: string, section: string): Promise<Ensemble | null> {
+  try {
+    return await get<Ensemble>(`${section_address(job, section)}/ensemble`);
+  } catch (error) {
+    if (error instanceof Problem && error.status === 404) return null;
+    throw error;
+  }
 }
 
 /** Loads a job for the map; what showed of another goes away. */

@@ -21,6 +21,19 @@ export const steps_of_numbers = ['#fde725', '#90d743', '#35b779', '#21918c', '#3
 /** of materials and particles of a kind */
 export const kinds = ['#b38867', '#7fa5b8', '#d9bf77', '#8f9f6a', '#a07aa0', '#6f6f6f', '#c98b8b', '#5d8aa8'];
 
+/** Upper ends of the classes of probability that have a colour of their own; beyond the last: the fifth. */
+const probability_classes = [0.05, 0.2, 0.5, 0.8];
+/** ColorBrewer's YlOrRd and PuBu, as the exports to QGIS have them */
+const of_probability = {
+  release: ['#ffffb2', '#fecc5c', '#fd8d3c', '#f03b20', '#bd0026'],
+  runout: ['#f1eef6', '#bdc9e1', '#74a9cf', '#2b8cbe', '#045a8d'],
+};
+
+export function probability_colour(kind: 'release' | 'runout', probability: number): string {
+  const at = probability_classes.findIndex((most) => probability <= most);
+  return of_probability[kind].at(at)!;
+}
+
 function normal(status: string): string {
   return status === 'left-out' ? 'left_out' : status;
 }

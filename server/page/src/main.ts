@@ -3,7 +3,7 @@
 import 'ol/ol.css';
 import './page.css';
 import {follow_address, go, load_jobs, load_rasters} from './actions';
-import {Problem, connect, get} from './api';
+import {Problem, connect} from './api';
 import type {ColourBy} from './colours';
 import {fill, h} from './dom';
 import {MapView} from './map/map_view';
@@ -25,28 +25,6 @@ async function load_lists(): Promise<void> {
   await Promise.all([load_rasters(), load_jobs()]);
 }
 
-/** Areas of probability where the server has that collection. */
-async function probability_of(job: string): Promise<object | null> {
-  const {collections} = await get<{collections: {id: string}[]}>('collections');
-  if (!collections.some(({id}) => id === 'probability_zones')) return null;
-  return get<object>(`collections/probability_zones/items?limit=10000&job=${encodeURIComponent(job)}`);
-}
-
-/** What is loaded of a job beside its sections: once, and once more when it has finished. */
-class Probability {
-  private key = '';
-  areas: object | null = null;
-
-  async update(): Promise<boolean> {
-    const {job} = state;
-    const key = job ? `${job.job} ${job.status}` : '';
-    if (key === this.key) return false;
-    this.key = key;
-    this.areas = job && job.status === 'successful' ? await probability_of(job.job).catch(() => null) : null;
-    return key === this.key && this.areas !== null;
-  }
-}
-
 function step_box(step: Step, content: HTMLElement): HTMLElement {
   const next = steps[steps.indexOf(step) + 1];
   const box = h('div', {class: 'step', 'data-step': step}, content,
@@ -66,7 +44,6 @@ function start(): void {
     key.draw();
   }};
   const key = legend(map, colour);
-  const probability = new Probability();
   const banner = connection_banner(() => {
     void load_lists().catch(() => undefined);
     tell('back');
@@ -92,18 +69,11 @@ function start(): void {
     tell('laid');
   };
   const redraw = () => map.show_drawn([...drawn_of(state.draft.sections), ...regions_of()]);
-  const show_job = () => map.show_job(state.job, colour.by, probability.areas);
   on(['draft', 'sections'], redraw);
   on('raster', () => void map.show_raster(state.raster).catch((error) => {
     if (!(error instanceof Problem)) throw error;
   }));
-  on('job', () => {
-    show_job();
-    void probability.update().then((has) => {
-      if (has) show_job();
-      key.draw();
-    });
-  });
+  on('job', () => map.show_job(state.job, colour.by));
   on('step', () => {
     map.show_side(['look', 'compare', 'take'].includes(state.step) ? 'job' : 'draft');
     main.scrollTop = 0;

@@ -1,11 +1,13 @@
 // A report of a job: one HTML file that holds all it shows and prints well.
 
-import {section_address} from './actions';
-import {get} from './api';
+import {ensemble_of, section_address} from './actions';
+import {get, text} from './api';
 import {colour_sections, status_word} from './colours';
 import {profile_svg} from './drawing/profile_svg';
+import {check_rows, condition_words, decider_words, deciders, distances, has_ensemble, percent, quantile_rows,
+  summary_rows} from './ensemble/numbers';
 import {bounded, number_rows, side_of} from './section/panel';
-import type {JobMap, Raster, SectionDetail, Zone} from './types';
+import type {DistanceSummary, Ensemble, JobMap, ProbabilityZone, Raster, SectionDetail, Zone} from './types';
 import {show, spoken, t} from './words';
 
 /** Profiles of more would make a file of many megabytes; the table has all sections. */
@@ -23,13 +25,13 @@ pre{white-space:pre-wrap;font-size:.75rem;background:#f2f5f6;padding:.6rem}
 @media print{body{margin:0;max-width:none}h2{break-after:avoid}@page{margin:15mm}}`;
 
 export function escape(value: unknown): string {
-  const text = value === null || value === undefined ? '–' : String(value);
-  return text.replace(/[&<>"']/g, (one) => `&#${one.charCodeAt(0)};`);
+  const written = value === null || value === undefined ? '–' : String(value);
+  return written.replace(/[&<>"']/g, (one) => `&#${one.charCodeAt(0)};`);
 }
 
 function table(head: readonly string[], rows: readonly (readonly string[])[]): string {
-  const cell = (text: string) => (/^(≥ )?[-+–]?[\d\s.,\u00a0\u202f]*( m| s)?$/.test(text) ? `<td class="n">${text}</td>`
-    : `<td>${text}</td>`);
+  const cell = (content: string) => (/^(≥ |&#62;)?[-+–]?[\d\s.,\u00a0\u202f]*( m| s| %)?$/.test(content)
+    ? `<td class="n">${content}</td>` : `<td>${content}</td>`);
   return `<table><thead><tr>${head.map((one) => `<th>${escape(one)}</th>`).join('')}</tr></thead>
 <tbody>${rows.map((row) => `<tr>${row.map(cell).join('')}</tr>`).join('\n')}</tbody></table>`;
 }
@@ -60,12 +62,44 @@ function zone_table(job: JobMap): string {
     [...rows(job.release_zones, t('layer_release')), ...rows(job.runout_zones, t('layer_runout'))]);
 }
 
-function article(section: SectionDetail): string {
+function probability_table(zones: readonly ProbabilityZone[]): string {
+  if (zones.length === 0) return '';
+  return `<h3>${escape(t('report_probability'))}</h3>${table([t('zone'), t('report_sections'), t('exceeded_by'), t('members'),
+    t('largest'), t('warnings')], zones.map((zone) => [
+    escape(t(zone.kind === 'release' ? 'layer_release_probability' : 'layer_runout_probability')),
+    escape(zone.sections.join(', ')), percent(zone.exceedance), show(zone.members),
+    bounded(zone.largest_distance_m, zone.distance_is), escape(zone.warnings.join('; ') || '–')]))}`;
+}
+
+function distance_part(name: string, summary: DistanceSummary): string {
+  const decide = [...deciders(summary).map((one): [string, string] => [one.name, decider_words(one)]),
+    ...check_rows(summary)];
+  return `<h5>${escape(name)}</h5>${table([t('exceeded_by'), t('distance'), t('by_ranks')],
+    quantile_rows(summary).map((row) => row.map(escape)))}
+<p>${escape(t('decides'))}: ${escape(t('share_of_variance'))}</p>${decide.length > 0 ? facts(decide)
+    : `<p>${escape(t('few_members'))}</p>`}`;
+}
+
+/** @param drawing SVG of the server, which brings all it shows */
+export function ensemble_part(ensemble: Ensemble, drawing: string): string {
+  const bytes = new TextEncoder().encode(drawing);
+  const packed = btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  return `<h4>${escape(t('ensemble'))}</h4><p class="scope">${escape(condition_words(ensemble.condition))}</p>
+${facts(summary_rows(ensemble))}<img alt="${escape(t('beyond_retrogression'))}" src="data:image/svg+xml;base64,${packed}">
+${distances.map((of) => distance_part(t(of), ensemble[of])).join('\n')}`;
+}
+
+async function ensemble_article(job: string, section: string): Promise<string> {
+  const ensemble = await ensemble_of(job, section);
+  return ensemble ? ensemble_part(ensemble, await text(`${section_address(job, section)}/ensemble?f=svg`)) : '';
+}
+
+function article(section: SectionDetail, ensemble: string): string {
   const drawing = section.profile_before.length > 0
     ? profile_svg(side_of(section), {width: 900, height: 260}).outerHTML : `<p>${escape(section.reason)}</p>`;
   const notes = section.warnings.length > 0
     ? `<ul>${section.warnings.map((one) => `<li>${escape(one)}</li>`).join('')}</ul>` : '';
-  return `<article><h3>${escape(section.name)}</h3>${drawing}${facts(number_rows(section))}${notes}</article>`;
+  return `<article><h3>${escape(section.name)}</h3>${drawing}${facts(number_rows(section))}${notes}${ensemble}</article>`;
 }
 
 /** @param progress told after every section that was fetched. @throws Problem */
@@ -74,7 +108,8 @@ export async function make_report(job: JobMap, raster: Raster | null, map: strin
   const names = job.sections.name.slice(0, most_profiles);
   const articles: string[] = [];
   for (const name of names) {
-    articles.push(article(await get<SectionDetail>(section_address(job.job, name))));
+    articles.push(article(await get<SectionDetail>(section_address(job.job, name)),
+      has_ensemble(job) ? await ensemble_article(job.job, name) : ''));
     progress(articles.length, names.length);
   }
   const title = t('report_title', {name: job.name || job.job});
@@ -88,7 +123,7 @@ ${facts([[t('job'), job.job], [t('status'), `${t(job.status)}: ${job.message}`],
   new Date().toLocaleString()],
     [t('step_dem'), raster ? `${raster.name}, ${raster.crs}` : null]])}
 <h2>${escape(t('report_map'))}</h2><img src="${map}" alt="${escape(t('report_map'))}">
-<h2>${escape(t('report_zones'))}</h2>${zone_table(job)}
+<h2>${escape(t('report_zones'))}</h2>${zone_table(job)}${probability_table(job.probability_zones)}
 <h2>${escape(t('report_sections'))}</h2>${section_table(job)}
 <h2>${escape(t('report_profiles'))}</h2>${more}${articles.join('\n')}
 <h2>${escape(t('report_hashes'))}</h2>${facts([[t('dem_hash'), raster?.sha256 ?? null]])}

@@ -2,12 +2,13 @@
 
 import {go} from './actions';
 import {forget_token, get} from './api';
-import {type ColourBy, colour_sections} from './colours';
+import {type ColourBy, colour_sections, probability_colour} from './colours';
 import {fill, h, later} from './dom';
+import {percent} from './ensemble/numbers';
 import type {LayerName, MapView} from './map/map_view';
 import {swatch} from './section/animation';
 import {type Step, on, state, step_of, steps} from './state';
-import type {XY} from './types';
+import type {JobMap, XY} from './types';
 import {type Word, show, speak, spoken, t} from './words';
 
 export function step_word(step: Step): string {
@@ -45,13 +46,25 @@ export function token_button(): HTMLElement {
   }}, t('forget_token'));
 }
 
+/** Probabilities of which a job has zones of a kind, rising. */
+function exceedances_of(job: JobMap, kind: 'release' | 'runout'): number[] {
+  const all = job.probability_zones.filter((zone) => zone.kind === kind).map(({exceedance}) => exceedance);
+  return [...new Set(all)].sort((a, b) => a - b);
+}
+
+function probability_key(job: JobMap, kind: 'release' | 'runout'): HTMLElement {
+  return h('ul', {class: 'probabilities'}, exceedances_of(job, kind).map((exceedance) =>
+    h('li', {}, swatch(probability_colour(kind, exceedance)), t('goes_beyond', {percent: percent(exceedance)}))));
+}
+
 /** Switches of the layers, and what the colours of the sections mean. */
 export function legend(map: MapView, colour: {by: ColourBy}): {element: HTMLElement; draw: () => void} {
   const layer_names: readonly (readonly [LayerName, Word, string | null])[] = [
     ['sections', 'layer_sections', null], ['release', 'layer_release', '#e9ad85'],
-    ['runout', 'layer_runout', '#99c6e0'],
-    ['probability', 'layer_probability', '#440154'], ['hillshade', 'layer_hillshade', null],
+    ['runout', 'layer_runout', '#99c6e0'], ['release_probability', 'layer_release_probability', null],
+    ['runout_probability', 'layer_runout_probability', null], ['hillshade', 'layer_hillshade', null],
   ];
+  const outlines: Partial<Record<LayerName, string>> = {release: '#a84300', runout: '#005a8e'};
   const off = new Set<LayerName>();
   const body = h('div');
   const element = h('details', {class: 'legend', open: true}, h('summary', {}, t('legend')), body);
@@ -60,7 +73,9 @@ export function legend(map: MapView, colour: {by: ColourBy}): {element: HTMLElem
     const shows_job = job !== null && ['look', 'compare', 'take'].includes(step);
     const has: Record<LayerName, boolean> = {
       hillshade: state.raster !== null, sections: shows_job, release: shows_job && job.release_zones.length > 0,
-      runout: shows_job && job.runout_zones.length > 0, probability: shows_job && map.has_probability,
+      runout: shows_job && job.runout_zones.length > 0,
+      release_probability: shows_job && exceedances_of(job, 'release').length > 0,
+      runout_probability: shows_job && exceedances_of(job, 'runout').length > 0,
     };
     const coloured = shows_job && job.sections.name.length > 0 ? colour_sections(job, colour.by) : null;
     element.hidden = !Object.values(has).some(Boolean);
@@ -72,8 +87,13 @@ export function legend(map: MapView, colour: {by: ColourBy}): {element: HTMLElem
           map.set_visible(name, box.checked);
         }});
         box.checked = !off.has(name);
-        return h('label', {class: 'layer'}, box, tint ? swatch(tint) : null, t(word));
+        const outlined = tint !== null && job !== null && job.probability_zones.length > 0;
+        const layer = h('label', {class: 'layer'}, box, tint ? swatch(outlined ? outlines[name]! : tint, outlined) : null, t(word),
+          outlined ? ` (${t('as_given')})` : null);
+        return job && (name === 'release_probability' || name === 'runout_probability')
+          ? h('div', {}, layer, probability_key(job, name === 'release_probability' ? 'release' : 'runout')) : layer;
       }),
+      has.release_probability || has.runout_probability ? h('p', {class: 'condition'}, t('condition')) : null,
       coloured ? h('div', {class: 'colours'}, h('strong', {}, coloured.title),
         coloured.entries.map(({colour: tint, label, dashed}) => h('div', {}, swatch(tint, dashed), label))) : null);
   };

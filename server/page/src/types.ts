@@ -40,6 +40,13 @@ export interface Zone {
   polygons: XY[][][];
 }
 
+/** An area of the ground that some share of the members reaches. */
+export interface ProbabilityZone extends Zone {
+  kind: 'release' | 'runout';
+  exceedance: number;
+  members: number;
+}
+
 export interface JobMap {
   job: string;
   name: string;
@@ -65,6 +72,7 @@ export interface JobMap {
   };
   release_zones: Zone[];
   runout_zones: Zone[];
+  probability_zones: ProbabilityZone[];
 }
 
 /** A section as the layout would cut it. */
@@ -118,6 +126,67 @@ export interface SectionDetail {
   log: string;
 }
 
+/** From and to, m; null: beyond any distance. */
+export type DistanceRange = [number, number | null];
+
+export interface Quantile {
+  exceedance: number;
+  distance_m: number | null;
+  distance_is: 'measured' | 'lower-bound' | 'unknown';
+  by_ranks_m: DistanceRange;
+}
+
+export interface ExceedanceCurve {
+  /** distance, m; the probability that it is exceeded; the ends of the interval of that */
+  points: [number, number, number, number][];
+  half_width: number;
+  censored_beyond_m: number | null;
+}
+
+/** What the members of a section say of a distance. */
+export interface DistanceSummary {
+  quantiles: Quantile[];
+  curve: ExceedanceCurve;
+  indices: Record<string, {first_order: number; standard_error: number} | null>;
+  chance: {members: number; runs: number; standard_deviation_m: number; share_of_variance: number | null} | null;
+  finer_cell: {pairs: number; mean_m: number; standard_error_m: number | null} | null;
+}
+
+export interface Ensemble {
+  section: string;
+  condition: string;
+  members: number;
+  by_status: Record<string, number>;
+  ended_by: string;
+  half_width: number;
+  wanted_half_width: number;
+  confidence: number;
+  probability_of_sliding: {value: number; low: number; high: number};
+  retrogression: DistanceSummary;
+  runout: DistanceSummary;
+}
+
+export interface StudySetting {
+  cell_m: number;
+  particles_per_cell: number;
+  time_step_factor: number;
+  crest_to_crest_retrogression_m: {mean: number} | null;
+  runout_m: {mean: number} | null;
+  /** of the larger of the two distances' errors, shares of 1 */
+  error: {both: {of_runs: {mean: number} | null; mean_within: boolean}};
+  cost_s: number | null;
+  is_reference: boolean;
+  not_a_choice: string;
+}
+
+export interface Study {
+  outcome: string[];
+  settings: StudySetting[];
+  fastest_within_wanted_error: {
+    both: {by_mean: {cell_m: number; particles_per_cell: number; time_step_factor: number} | null} | null;
+  };
+}
+
 export interface DryRun {
   sections: {name: string; state: string; reason: string; particles: number | null; warnings: string[]}[];
   estimate: {
@@ -126,6 +195,7 @@ export interface DryRun {
     stable: number;
     particles: number;
     most_particles_of_a_run: number;
+    core_hours_at_least: number;
     core_hours: number;
     core_hours_at_most: number;
     disk_bytes: number;

@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import {spawn, spawnSync} from 'node:child_process';
-import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -12,7 +12,7 @@ import {fileURLToPath} from 'node:url';
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 const require = createRequire(join(root, 'server/page/package.json'));
 const {chromium} = require('playwright-core');
-export const axe_source = require('axe-core').source;
+const axe_source = require('axe-core').source;
 
 const leda = process.env.LEDA_PROGRAM ?? join(root, 'build/release/leda');
 const write_demo_dem = process.env.LEDA_DEMO_DEM ?? join(root, 'build/release/write_demo_dem');
@@ -119,6 +119,20 @@ export class Browser {
     assert.deepEqual(this.foreign, [], 'requests to another host');
   }
 
+  /** A file that the page hands to the browser. */
+  async downloaded(button) {
+    const [download] = await Promise.all([this.page.waitForEvent('download'), this.page.click(button)]);
+    return {name: download.suggestedFilename(), bytes: readFileSync(await download.path())};
+  }
+
+  /** What axe-core finds wrong with what the page shows now. */
+  async expect_accessible(where) {
+    if (!await this.page.evaluate(() => 'axe' in window)) await this.page.evaluate(axe_source);
+    const {violations} = await this.page.evaluate(() => window.axe.run(document, {resultTypes: ['violations']}));
+    assert.deepEqual(violations.map(({id,
+      nodes}) => `${where}: ${id}: ${nodes.map(({html}) => html.slice(0, 160)).join(' | ')}`), []);
+  }
+
   async picture(name) {
     if (process.env.LEDA_PICTURES) await this.page.screenshot({path: join(process.env.LEDA_PICTURES, `${name}.png`)});
   }
@@ -148,5 +162,19 @@ export class Browser {
 
   async close() {
     await this.program.close();
+  }
+}
+
+/** A browser that looks at a server; it is closed whatever comes. */
+export async function with_browser(server, run, options) {
+  const browser = await Browser.open(options);
+  try {
+    await browser.page.goto(server.url);
+    await run(browser, browser.page);
+  } catch (error) {
+    await browser.picture('failed');
+    throw error;
+  } finally {
+    await browser.close();
   }
 }

@@ -1,15 +1,8 @@
 // From an empty data folder to zones on the map, as a user goes, at two sizes, with and without tokens.
 
 import assert from 'node:assert/strict';
-import {readFileSync} from 'node:fs';
 import {test} from 'node:test';
 import {Browser, Server, large, small} from './leda_in_a_browser.mjs';
-
-/** A file that the page hands to the browser. */
-async function downloaded(page, button) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
-  return {name: download.suggestedFilename(), bytes: readFileSync(await download.path())};
-}
 
 /** Where the map has just this colour: that of a section, which nothing else has. */
 async function coloured_point(page, rgb) {
@@ -81,7 +74,7 @@ async function describe_the_soil(browser) {
   await page.fill('[data-pointer="/inputs/output/frame_interval_s"] input', '1');
   assert.equal(await page.textContent('[data-pointer="/inputs/resolution/cell_m"] .unit'), 'm');
   await browser.picture('soil');
-  const request = JSON.parse((await downloaded(page, 'text="Export request"')).bytes);
+  const request = JSON.parse((await browser.downloaded('text="Export request"')).bytes);
   assert.equal(request.inputs.resolution.cell_m, 2);
   assert.equal(request.inputs.sections.length, 2);
   assert.equal(request.inputs.sections[0].name, "MM'");
@@ -144,12 +137,12 @@ async function compare(browser) {
 async function take_away(browser) {
   const {page} = browser;
   await browser.step('take');
-  const gpkg = await downloaded(page, 'text="GeoPackage, styled for QGIS"');
+  const gpkg = await browser.downloaded('text="GeoPackage, styled for QGIS"');
   assert.match(gpkg.name, /\.gpkg$/);
   assert.equal(gpkg.bytes.subarray(0, 15).toString(), 'SQLite format 3');
-  const shape = await downloaded(page, 'text="Shapefile"');
+  const shape = await browser.downloaded('text="Shapefile"');
   assert.match(shape.name, /\.zip$/);
-  const report = await downloaded(page, 'text="Report as one HTML file"');
+  const report = await browser.downloaded('text="Report as one HTML file"');
   const html = report.bytes.toString();
   assert.match(html, /MM&#39;/);
   assert.match(html, /<img src="data:image\/png;base64,.{2000}/);

@@ -4,23 +4,10 @@ import assert from 'node:assert/strict';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {Browser, Server, axe_source, source} from './leda_in_a_browser.mjs';
+import {Server, source, with_browser} from './leda_in_a_browser.mjs';
 
 const region = JSON.parse(readFileSync(join(source, 'deploy/demo/region.json'), 'utf8'));
 region.inputs.resolution.cell_m = 2;
-
-async function with_browser(server, run, options) {
-  const browser = await Browser.open(options);
-  try {
-    await browser.page.goto(server.url);
-    await run(browser, browser.page);
-  } catch (error) {
-    await browser.picture('failed-trouble');
-    throw error;
-  } finally {
-    await browser.close();
-  }
-}
 
 /** A request brought in as a file, as a user imports one. */
 async function import_request(browser, server, request) {
@@ -241,38 +228,18 @@ test('every step passes axe-core', () => with_browser(server, async (browser, pa
   await import_request(browser, server, region);
   await page.waitForFunction(() => document.querySelectorAll('.pictures svg').length > 0);
   for (const details of await page.locator('details.material > summary').all()) await details.click();
-  await page.evaluate(axe_source);
-  const check = async (where) => {
-    const {violations} = await page.evaluate(() => window.axe.run(document, {resultTypes: ['violations']}));
-    assert.deepEqual(violations.map(({id,
-      nodes}) => `${where}: ${id}: ${nodes.map(({html}) => html.slice(0, 160)).join(' | ')}`), []);
-  };
   for (const step of ['dem', 'draw', 'soil', 'run', 'look', 'compare', 'take']) {
     await browser.step(step);
     await page.waitForTimeout(700);
-    await check(step);
+    await browser.expect_accessible(step);
     if (step !== 'look') continue;
     await page.click(`[data-section="BB'"]`);
     for (const tab of ['profile', 'animation', 'numbers', 'screening', 'log']) {
       await page.click(`#tab-${tab}`);
       await page.waitForTimeout(400);
-      await check(`look, ${tab}`);
+      await browser.expect_accessible(`look, ${tab}`);
     }
   }
-  browser.expect_silence();
-}));
-
-test('probability zones show where the server has that collection', () => with_browser(server, async (browser, page) => {
-  // EPSG:2950 to degrees, at the middle of the demo's DEM.
-  const [lon, lat] = [-72.5195, 46.1558];
-  const ring = [[lon, lat], [lon + 0.002, lat], [lon + 0.002, lat + 0.001], [lon, lat]];
-  const zone = {type: 'Feature', properties: {exceedance: 0.5}, geometry: {type: 'Polygon', coordinates: [ring]}};
-  await page.route('**/collections', (route) => route.fulfill({json: {collections: [{id: 'probability_zones'}]}}));
-  await page.route('**/collections/probability_zones/items*', (route) =>
-    route.fulfill({json: {type: 'FeatureCollection', features: [zone]}}));
-  await page.goto(`${server.url}/#job=${finished_job}`);
-  await page.reload();
-  await page.waitForFunction(() => document.querySelector('.legend')?.textContent.includes('Probability zones'));
   browser.expect_silence();
 }));
 

@@ -6,7 +6,6 @@ import View from 'ol/View';
 import {defaults as default_controls} from 'ol/control/defaults';
 import ScaleLine from 'ol/control/ScaleLine';
 import {getCenter} from 'ol/extent';
-import GeoJSON from 'ol/format/GeoJSON';
 import type Geometry from 'ol/geom/Geometry';
 import LineString from 'ol/geom/LineString';
 import MultiPolygon from 'ol/geom/MultiPolygon';
@@ -23,14 +22,16 @@ import ImageStatic from 'ol/source/ImageStatic';
 import VectorSource from 'ol/source/Vector';
 import {blob} from '../api';
 import {type ColourBy, type Entry, colour_sections} from '../colours';
-import type {JobMap, Raster, XY, Zone} from '../types';
+import type {JobMap, ProbabilityZone, Raster, XY, Zone} from '../types';
 import {projection_of, to_degrees} from './projection';
 import {
-  SectionStyles, chosen_style, drawn_style, laid_style, left_out_style, point_style, probability_style, zone_styles,
+  SectionStyles, chosen_style, drawn_style, laid_style, left_out_style, point_style, probability_style, zone_outlines,
+  zone_styles,
 } from './styles';
 
 type Source = VectorSource<Feature<Geometry>>;
-export type LayerName = 'hillshade' | 'release' | 'runout' | 'probability' | 'sections';
+export type ZoneLayerName = 'release' | 'runout' | 'release_probability' | 'runout_probability';
+export type LayerName = 'hillshade' | 'sections' | ZoneLayerName;
 export type DrawKind = 'along' | 'section' | 'region';
 
 /** Something drawn by hand: a line of the layout, or an area of a soil. */
@@ -56,9 +57,9 @@ function polygons_of(zones: readonly Zone[]): Feature<Geometry>[] {
 export class MapView {
   readonly map: OlMap;
   private readonly hillshade = new ImageLayer<ImageStatic>();
-  private readonly sources: Record<'release' | 'runout' | 'probability' | 'sections', Source> = {
-    release: new VectorSource(), runout: new VectorSource(), probability: new VectorSource(),
-    sections: new VectorSource(),
+  private readonly sources: Record<ZoneLayerName | 'sections', Source> = {
+    release: new VectorSource(), runout: new VectorSource(), release_probability: new VectorSource(),
+    runout_probability: new VectorSource(), sections: new VectorSource(),
   };
   private readonly drawn: Source = new VectorSource();
   private readonly modify = new Modify({source: this.drawn as VectorSource});
@@ -90,13 +91,14 @@ export class MapView {
     const sections = new VectorLayer({source: this.sources.sections, style: of_section, declutter: true});
     this.many_sections = new VectorImageLayer({style: of_section, declutter: true, imageRatio: 1.5});
     const zones = (kind: 'release' | 'runout') => new VectorLayer({source: this.sources[kind],
-      style: zone_styles[kind]});
-    const probability = new VectorLayer({
-      source: this.sources.probability,
-      style: (feature) => probability_style(Number(feature.get('exceedance')) || 0),
+      style: () => (this.has_probability ? zone_outlines : zone_styles)[kind]});
+    const probability = (name: 'release_probability' | 'runout_probability') => new VectorLayer({
+      source: this.sources[name], opacity: 0.8,
+      style: (feature) => probability_style(feature.get('zone') as ProbabilityZone),
     });
-    this.layers.set('hillshade', this.hillshade).set('release', zones('release')).set('runout', zones('runout'))
-      .set('probability', probability).set('sections', sections);
+    this.layers.set('hillshade', this.hillshade).set('runout_probability', probability('runout_probability'))
+      .set('release_probability', probability('release_probability'))
+      .set('release', zones('release')).set('runout', zones('runout')).set('sections', sections);
     this.job_layers = [...this.layers.values()].filter((layer) => layer !== this.hillshade);
     const laid = new VectorLayer({
       source: this.laid, style: (feature) => (feature.get('reason') ? left_out_style : laid_style),
@@ -193,9 +195,7 @@ export class MapView {
       new Feature<Geometry>({geometry: new LineString(trace), pick: name, reason})));
   }
 
-  get has_probability(): boolean {
-    return this.sources.probability.getFeatures().length > 0;
-  }
+  private has_probability = false;
 
   /** Looks at all sections of a job the first time it shows. */
   private fit_to_job(job: JobMap): void {
@@ -205,7 +205,7 @@ export class MapView {
   }
   private fitted_to = '';
 
-  show_job(job: JobMap | null, by: ColourBy, probability: object | null): void {
+  show_job(job: JobMap | null, by: ColourBy): void {
     for (const source of Object.values(this.sources)) source.clear(true);
     if (!job) return;
     this.colours = colour_sections(job, by).of;
@@ -216,11 +216,13 @@ export class MapView {
     (this.layers.get('sections') as VectorLayer).setSource(many ? null : this.sources.sections);
     this.many_sections.setSource(many ? this.sources.sections : null);
     this.fit_to_job(job);
+    this.has_probability = job.probability_zones.length > 0;
     this.sources.release.addFeatures(polygons_of(job.release_zones));
     this.sources.runout.addFeatures(polygons_of(job.runout_zones));
-    if (probability && this.projection) {
-      const read = {dataProjection: 'EPSG:4326', featureProjection: this.projection};
-      this.sources.probability.addFeatures(new GeoJSON().readFeatures(probability, read) as Feature<Geometry>[]);
+    // The likelier areas lie within the others and are drawn over them.
+    const nested = [...job.probability_zones].sort((a, b) => a.exceedance - b.exceedance);
+    for (const kind of ['release', 'runout'] as const) {
+      this.sources[`${kind}_probability`].addFeatures(polygons_of(nested.filter((zone) => zone.kind === kind)));
     }
   }
 

@@ -3,7 +3,8 @@
 import Feature from 'ol/Feature';
 import type Geometry from 'ol/geom/Geometry';
 import {Circle, Fill, Stroke, Style, Text} from 'ol/style';
-import type {Entry} from '../colours';
+import {type Entry, probability_colour} from '../colours';
+import type {ProbabilityZone} from '../types';
 
 const white = 'rgba(255,255,255,0.9)';
 const font = '12px system-ui, sans-serif';
@@ -15,21 +16,25 @@ function label(text: string): Text {
   });
 }
 
-export const zone_styles = {
-  release: new Style({
-    fill: new Fill({color: 'rgba(213,94,0,0.28)'}), stroke: new Stroke({color: '#a84300', width: 1.5}),
-  }),
-  runout: new Style({
-    fill: new Fill({color: 'rgba(0,114,178,0.25)'}), stroke: new Stroke({color: '#005a8e', width: 1.5, lineDash: [6,
-      3]}),
-  }),
+const zone_strokes = {
+  release: new Stroke({color: '#a84300', width: 1.5}),
+  runout: new Stroke({color: '#005a8e', width: 1.5, lineDash: [6, 3]}),
 };
 
-/** Nested areas: the likelier, the darker. */
-export function probability_style(exceedance: number): Style {
+export const zone_styles = {
+  release: new Style({fill: new Fill({color: 'rgba(213,94,0,0.28)'}), stroke: zone_strokes.release}),
+  runout: new Style({fill: new Fill({color: 'rgba(0,114,178,0.25)'}), stroke: zone_strokes.runout}),
+};
+
+/** Over areas of probability, whose colours must stay what the legend says. */
+export const zone_outlines = {
+  release: new Style({stroke: zone_strokes.release}), runout: new Style({stroke: zone_strokes.runout}),
+};
+
+export function probability_style({kind, exceedance}: ProbabilityZone): Style {
   return new Style({
-    fill: new Fill({color: `rgba(68,1,84,${0.1 + 0.25 * exceedance})`}),
-    stroke: new Stroke({color: 'rgba(68,1,84,0.7)', width: 1}),
+    fill: new Fill({color: probability_colour(kind, exceedance)}),
+    stroke: new Stroke({color: 'rgba(30,30,30,0.65)', width: 0.8}),
   });
 }
 

@@ -1,15 +1,17 @@
-// A section of a job: profile, numbers with their bounds, warnings, screening, animation, log.
+// A section of a job: profile, how sure it is, numbers with their bounds, warnings, screening, animation, log.
 
 import {open_section, section_address} from '../actions';
-import {text} from '../api';
+import {blob, text} from '../api';
 import {status_word} from '../colours';
 import {fill, h, save} from '../dom';
 import {type Side, extent_of, profile_svg} from '../drawing/profile_svg';
+import {has_ensemble} from '../ensemble/numbers';
 import {on, state} from '../state';
-import {button, facts, warnings} from '../steps/parts';
+import {Report, button, facts, warnings} from '../steps/parts';
 import type {SectionDetail, XY} from '../types';
 import {show, t} from '../words';
 import {animation} from './animation';
+import {ensemble_tab} from './ensemble_tab';
 
 export function side_of(section: SectionDetail): Side {
   const slid = (section.crest_to_crest_retrogression_m ?? 0) > 0;
@@ -59,12 +61,13 @@ function as_rows(value: unknown, name = ''): [string, string][] {
   return [[name.replace(/_/g, ' '), typeof value === 'number' ? show(value, 3) : String(value)]];
 }
 
-type Tab = 'profile' | 'animation' | 'numbers' | 'screening' | 'log';
+type Tab = 'profile' | 'ensemble' | 'animation' | 'numbers' | 'screening' | 'log';
 
 function tab_content(tab: Tab, section: SectionDetail, job: string): HTMLElement {
   const address = section_address(job, section.name);
   switch (tab) {
     case 'profile': return profile_tab(section);
+    case 'ensemble': return ensemble_tab(job, section.name);
     case 'animation': {
       if (!section.run || section.profile_before.length === 0) return h('p', {class: 'quiet'}, t('anim_none'));
       const {x, z} = extent_of([side_of(section)]);
@@ -72,9 +75,7 @@ function tab_content(tab: Tab, section: SectionDetail, job: string): HTMLElement
       return animation(address, {x, z: [deepest, z[1]]});
     }
     case 'numbers': return h('div', {}, facts(number_rows(section)), h('h3', {}, t('warnings')),
-      warnings(section.warnings),
-      h('div', {class: 'row'}, button('download_json', () =>
-        save(new Blob([JSON.stringify(section, null, 2)], {type: 'application/json'}), `${section.name}.json`))));
+      warnings(section.warnings), section_files(section, address));
     case 'screening': return section.screening ? facts(as_rows(section.screening)) : h('p', {class: 'quiet'},
       t('none'));
     case 'log': return h('div', {}, h('pre', {class: 'log', tabindex: 0, 'aria-label': t('log')}, section.log ||
@@ -82,6 +83,15 @@ function tab_content(tab: Tab, section: SectionDetail, job: string): HTMLElement
       section.run ? button('download_log', () => void text(`${address}/log`).then((log) =>
         save(new Blob([log], {type: 'text/plain'}), `${section.name}-log.txt`))) : null);
   }
+}
+
+function section_files(section: SectionDetail, address: string): HTMLElement {
+  const report = new Report();
+  const fields = () => blob(`${address}/fields.h5`).then((file) => save(file, `${section.name}-fields.h5`))
+    .catch((error) => report.problem(error));
+  return h('div', {}, h('div', {class: 'row'}, button('download_json', () =>
+    save(new Blob([JSON.stringify(section, null, 2)], {type: 'application/json'}), `${section.name}.json`)),
+    section.run ? button('download_fields', () => void fields()) : null), report.element);
 }
 
 function profile_tab(section: SectionDetail): HTMLElement {
@@ -109,9 +119,11 @@ function profile_tab(section: SectionDetail): HTMLElement {
 }
 
 export function section_panel(): HTMLElement {
-  const tabs: Tab[] = ['profile', 'animation', 'numbers', 'screening', 'log'];
+  const tabs: Tab[] = ['profile', 'ensemble', 'animation', 'numbers', 'screening', 'log'];
   let tab: Tab = 'profile';
   let shown = '';
+  /** of the job, when an ensemble was asked for: more members say more */
+  let sure_at = '';
   const title = h('h2', {});
   const content = h('div', {class: 'content', role: 'tabpanel', id: 'section-content', tabindex: 0});
   const buttons = tabs.map((name) => h('button', {type: 'button', role: 'tab', id: `tab-${name}`,
@@ -121,7 +133,8 @@ export function section_panel(): HTMLElement {
   }, onkeydown: (event: KeyboardEvent) => {
     const turn = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
     if (turn === 0) return;
-    const next = buttons[(tabs.indexOf(name) + turn + tabs.length) % tabs.length]!;
+    const there = buttons.filter((one) => !one.hidden);
+    const next = there[(there.indexOf(buttons[tabs.indexOf(name)]!) + turn + there.length) % there.length]!;
     next.click();
     next.focus();
   }}, t(name)));
@@ -137,6 +150,9 @@ export function section_panel(): HTMLElement {
     if (panel.hidden || !section || !job) return;
     shown = `${job.job} ${section.name} ${section.run} ${section.state}`;
     title.textContent = section.name;
+    buttons[tabs.indexOf('ensemble')]!.hidden = !has_ensemble(job);
+    if (tab === 'ensemble' && !has_ensemble(job)) tab = 'profile';
+    sure_at = job.status;
     buttons.forEach((one, i) => {
       one.setAttribute('aria-selected', String(tabs[i] === tab));
       one.tabIndex = tabs[i] === tab ? 0 : -1;
@@ -152,6 +168,7 @@ export function section_panel(): HTMLElement {
     if (!section || !job || shown === '') return;
     const at = job.sections.name.indexOf(section.name);
     if (at >= 0 && job.sections.state[at] !== section.state) void open_section(section.name);
+    else if (tab === 'ensemble' && job.status !== sure_at) draw();
   });
   return panel;
 }

@@ -1,29 +1,40 @@
-// Two sections side by side, at one scale, with their differences.
+// Two sections side by side, at one scale, with their differences; their curves in one drawing where both have an
+// ensemble.
 
-import {section_address} from '../actions';
-import {get} from '../api';
-import {fill, h} from '../dom';
+import {ensemble_of, section_address} from '../actions';
+import {blob, get} from '../api';
+import {fill, h, save} from '../dom';
+import {exceedance_figure} from '../drawing/exceedance_plot';
 import {extent_of, profile_svg} from '../drawing/profile_svg';
+import {condition_words, distance_words, distances, has_ensemble, percent, quantile_difference} from '../ensemble/numbers';
 import {bounded, side_of} from '../section/panel';
 import {on, state} from '../state';
-import type {Job, JobMap, SectionDetail} from '../types';
+import type {Ensemble, Job, JobMap, SectionDetail} from '../types';
 import {show, t} from '../words';
-import {Report} from './parts';
+import {Report, button} from './parts';
+
+interface Chosen {
+  job: string;
+  section: SectionDetail;
+  ensemble: Ensemble | null;
+}
 
 interface Choice {
   element: HTMLElement;
-  section: () => Promise<SectionDetail | null>;
+  chosen: () => Promise<Chosen | null>;
   offer: () => Promise<void>;
 }
 
 function chooser(label: string, at: number, changed: () => void): Choice {
   const jobs = h('select', {'aria-label': `${label}: ${t('job')}`, onchange: () => void load()});
   const sections = h('select', {'aria-label': `${label}: ${t('section')}`, onchange: () => changed()});
+  let has_curves = false;
   const load = async () => {
     const kept = sections.value;
     const map = !jobs.value ? null : jobs.value === state.job?.job ? state.job
       : await get<JobMap>(`jobs/${jobs.value}/map`);
     const names = map?.sections.name ?? [];
+    has_curves = has_ensemble(map);
     fill(sections, names.map((name) => h('option', {value: name}, name)));
     sections.value = names.includes(kept) ? kept : (names[Math.min(at, names.length - 1)] ?? '');
     changed();
@@ -36,9 +47,14 @@ function chooser(label: string, at: number, changed: () => void): Choice {
     jobs.value = list.some(({jobID}) => jobID === kept) ? kept : (state.job?.job ?? list[0]?.jobID ?? '');
     await load();
   };
-  const section = () => (jobs.value && sections.value
-    ? get<SectionDetail>(section_address(jobs.value, sections.value)) : Promise.resolve(null));
-  return {element: h('fieldset', {}, h('legend', {}, label), h('div', {class: 'columns two'}, jobs, sections)), section,
+  const chosen = async (): Promise<Chosen | null> => {
+    const [job, name] = [jobs.value, sections.value];
+    if (!job || !name) return null;
+    const [section, ensemble] = await Promise.all([get<SectionDetail>(section_address(job, name)),
+      has_curves ? ensemble_of(job, name) : null]);
+    return {job, section, ensemble};
+  };
+  return {element: h('fieldset', {}, h('legend', {}, label), h('div', {class: 'columns two'}, jobs, sections)), chosen,
     offer};
 }
 
@@ -62,33 +78,65 @@ function difference_table(a: SectionDetail, b: SectionDetail): HTMLElement {
       row(t('run_time'), (one) => one.run_time_s, measured, 's')));
 }
 
+/** What each probability exceeds in the two, and how much farther the second one goes. */
+function curve_table(a: Ensemble, b: Ensemble): HTMLElement {
+  const rows = distances.flatMap((of) => a[of].quantiles.map((from) => {
+    const to = b[of].quantiles.find(({exceedance}) => exceedance === from.exceedance);
+    const more = quantile_difference(from, to);
+    return h('tr', {}, h('th', {scope: 'row'}, `${t(of)}, ${percent(from.exceedance)}`),
+      h('td', {class: 'number'}, distance_words(from)), h('td', {class: 'number'}, to ? distance_words(to) : '–'),
+      h('td', {class: 'number'}, more === null ? '–' : `${more > 0 ? '+' : ''}${show(more)} m`));
+  }));
+  const [p, q] = [a.probability_of_sliding.value, b.probability_of_sliding.value];
+  return h('table', {class: 'curve-numbers'}, h('caption', {}, t('exceeded')), h('thead', {}, h('tr', {}, h('td', {}),
+    [a.section, b.section, t('difference')].map((name) => h('th', {scope: 'col'}, name)))),
+    h('tbody', {}, h('tr', {}, h('th', {scope: 'row'}, t('sliding')), h('td', {class: 'number'}, percent(p)),
+      h('td', {class: 'number'}, percent(q)), h('td', {class: 'number'}, `${q > p ? '+' : ''}${percent(q - p)}`)), rows));
+}
+
+/** The server draws the curves of sections of one job. */
+function curves_file([a, b]: readonly [Chosen, Chosen], report: Report): HTMLElement | null {
+  if (a.job !== b.job || a.section.name === b.section.name) return null;
+  const names = [a, b].map(({section}) => encodeURIComponent(section.name)).join(',');
+  return button('download_curves', () => void blob(`jobs/${a.job}/compare?sections=${names}&f=svg&of=curves`).then(
+    (file) => save(file, `${a.section.name}-${b.section.name}-curves.svg`), (error) => report.problem(error)));
+}
+
 /** @param stage where the two profiles are drawn, over the map */
 export function compare_step(stage: HTMLElement): HTMLElement {
   const report = new Report();
   const table = h('div');
-  let shown: [SectionDetail, SectionDetail] | null = null;
+  let shown: [Chosen, Chosen] | null = null;
 
   const draw = () => {
     if (!shown || stage.hidden) return;
-    const sides = shown.map(side_of);
+    const sides = shown.map(({section}) => side_of(section));
     const {x, z} = extent_of(sides);
     const narrow = stage.clientWidth < 700;
     const width = Math.max(narrow ? stage.clientWidth - 24 : stage.clientWidth / 2 - 24, 260);
     const height = Math.max(narrow ? stage.clientHeight / 2 - 60 : Math.min(stage.clientHeight - 60, width * 0.75),
       180);
-    fill(stage, shown.map((section, i) => h('figure', {}, h('figcaption', {}, h('strong', {}, section.name)),
-      profile_svg(sides[i]!, {width, height, x, z}) as unknown as HTMLElement)));
+    fill(stage, shown.map(({section}, i) => h('figure', {}, h('figcaption', {}, h('strong', {}, section.name)),
+      profile_svg(sides[i]!, {width, height, x, z}) as unknown as HTMLElement)), curves());
+  };
+  const curves = () => {
+    const ensembles = shown!.flatMap(({ensemble}) => ensemble ?? []);
+    if (ensembles.length < 2) return null;
+    return h('div', {class: 'curves-of-two'}, h('p', {class: 'condition'}, condition_words(ensembles[0]!.condition)),
+      h('div', {class: 'distances'}, distances.map((of) => exceedance_figure(ensembles, of))));
   };
   const changed = async () => {
     try {
-      const [a, b] = await Promise.all([first.section(), second.section()]);
+      const [a, b] = await Promise.all([first.chosen(), second.chosen()]);
       if (!a || !b) {
         report.say(t('compare_need'));
         return;
       }
       report.say('');
       shown = [a, b];
-      fill(table, difference_table(a, b));
+      fill(table, difference_table(a.section, b.section),
+        a.ensemble && b.ensemble ? curve_table(a.ensemble, b.ensemble) : null,
+        a.ensemble && b.ensemble ? curves_file(shown, report) : null);
       draw();
     } catch (error) {
       report.problem(error);

@@ -1,7 +1,7 @@
 // Jobs, how far they are, and the sections of the one on the map.
 
 import {load_jobs, open_section, show_job} from '../actions';
-import {blob, send} from '../api';
+import {send} from '../api';
 import {type ColourBy, colour_sections, status_word} from '../colours';
 import {fill, h, later} from '../dom';
 import {follow, is_finished} from '../events';
@@ -10,6 +10,7 @@ import {on, state, tell} from '../state';
 import type {Job} from '../types';
 import {type Word, show, t} from '../words';
 import {Report, button} from './parts';
+import {study_box} from './study';
 
 const rows_at_once = 200;
 
@@ -84,16 +85,6 @@ function job_card(job: Job, report: Report): HTMLElement {
       failed && is_finished(job) ? button('job_retry', () => void act('POST', `jobs/${id}/retry`)) : null));
 }
 
-/** The picture of a study: error against run time. */
-async function study_picture(target: HTMLElement): Promise<void> {
-  fill(target);
-  const {job} = state;
-  if (job?.processID !== 'resolution-study' || job.status !== 'successful') return;
-  const picture = await blob(`jobs/${job.job}/results?f=svg`);
-  fill(target, h('figure', {}, h('img', {src: URL.createObjectURL(picture), alt: t('study_picture')}), h('figcaption',
-    {}, t('study_picture'))));
-}
-
 function section_rows(filter: string, count: number): {rows: HTMLElement[]; left: number} {
   const {sections} = state.job!;
   const wanted = filter.trim().toLowerCase();
@@ -116,7 +107,7 @@ function section_rows(filter: string, count: number): {rows: HTMLElement[]; left
 export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElement {
   const report = new Report();
   const jobs = h('ul', {class: 'cards jobs'});
-  const study = h('div');
+  const study = study_box(report);
   const table_box = h('div');
   const watch = new Watch();
   let count = rows_at_once;
@@ -169,7 +160,7 @@ export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElem
   on('job', () => {
     show_jobs();
     show_sections();
-    void study_picture(study).catch((error) => report.problem(error));
+    study.draw();
   });
   on('section', show_table);
   // The newest job shows by itself: it is what one comes for.
@@ -180,5 +171,5 @@ export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElem
   });
   show_jobs();
   show_sections();
-  return h('section', {}, h('h2', {}, t('jobs')), report.element, jobs, study, table_box);
+  return h('section', {}, h('h2', {}, t('jobs')), report.element, jobs, study.element, table_box);
 }

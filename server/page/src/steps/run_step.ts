@@ -25,6 +25,12 @@ function core_hours(hours: number): string {
   return `${show(hours, 3)} (${minutes >= 2 ? `${show(minutes, 0)} min` : `${show(minutes * 60, 0)} s`})`;
 }
 
+/** Fewer where an ensemble may end before its last member. */
+function hours_of({core_hours_at_least: least, core_hours: likely, core_hours_at_most: most}: DryRun['estimate']): string {
+  return [least < likely ? `${t('est_at_least')} ${core_hours(least)}` : '', core_hours(likely),
+    `${t('est_at_most')} ${core_hours(most)}`].filter(Boolean).join('; ');
+}
+
 function estimate_of({estimate, sections}: DryRun): HTMLElement {
   const notes = sections.filter(({reason, warnings}) => reason || warnings.length > 0);
   return h('div', {},
@@ -34,7 +40,7 @@ function estimate_of({estimate, sections}: DryRun): HTMLElement {
       [t('est_left_out'), show(estimate.left_out)],
       [t('est_stable'), show(estimate.stable)],
       [t('est_particles'), show(estimate.particles, 0)],
-      [t('est_core_hours'), `${core_hours(estimate.core_hours)}; ${t('est_at_most')} ${core_hours(estimate.core_hours_at_most)}`],
+      [t('est_core_hours'), hours_of(estimate)],
       [t('est_disk'), bytes(estimate.disk_bytes)],
       [t('est_basis'), estimate.based_on],
     ]),
