@@ -88,8 +88,8 @@ export function legend(map: MapView, colour: {by: ColourBy}): {element: HTMLElem
         }});
         box.checked = !off.has(name);
         const outlined = tint !== null && job !== null && job.probability_zones.length > 0;
-        const layer = h('label', {class: 'layer'}, box, tint ? swatch(outlined ? outlines[name]! : tint, outlined) : null, t(word),
-          outlined ? ` (${t('as_given')})` : null);
+        const layer = h('label', {class: 'layer'}, box,
+          tint ? swatch(outlined ? outlines[name]! : tint, outlined) : null, t(word), outlined ? ` (${t('as_given')})` : null);
         return job && (name === 'release_probability' || name === 'runout_probability')
           ? h('div', {}, layer, probability_key(job, name === 'release_probability' ? 'release' : 'runout')) : layer;
       }),

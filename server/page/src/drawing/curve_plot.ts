@@ -32,7 +32,7 @@ export function plot(target: HTMLElement, x: number[], x_label: string, y_label:
     scales: {x: {time: false}, y: {range: (_, __, most) => [0, shares ? 1 : (most || 1) * 1.05]}},
     legend: {show: legend, live: false}, cursor: {show: false},
     axes: [{...axis, label: x_label, size: 32},
-      {...axis, label: y_label, size: 42, values: shares ? percentages : numbers}],
+      {...axis, label: y_label, size: shares ? 54 : 42, values: shares ? percentages : numbers}],
     series: [{}, ...lines.map(({label, colour, dash}) => ({label, stroke: colour, width: 2, dash,
       points: {show: false}}))],
     // A line's place in the list is one less than its series': the first series is x.
