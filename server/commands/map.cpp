@@ -12,6 +12,7 @@
 #include "server/documents/region_request.hpp"
 #include "server/http/handlers/section_document.hpp"
 #include "server/jobs/service.hpp"
+#include "server/layers/job_ensemble.hpp"
 #include "server/layers/rasters.hpp"
 #include "server/layers/section_table.hpp"
 #include "server/operate/logging.hpp"
@@ -92,6 +93,19 @@ db::JobRecord follow(const Service& service, const std::string& id, bool silent)
   }
 }
 
+/// Those whose first look is over; none where the job has no ensemble.
+std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const db::JobRecord& job,
+                                          const std::vector<db::SectionRecord>& sections) {
+  std::vector<SectionEnsemble> found;
+  const auto ensemble = JobEnsemble::of(store, job);
+  if (!ensemble) return found;
+  for (const auto& section : sections) {
+    auto of_section = ensemble->of_section(section).ensemble;
+    if (of_section) found.push_back(std::move(*of_section));
+  }
+  return found;
+}
+
 int map_region(const Options& options) {
   set_up_logging(true);
   Service service(options.data, service_options(options.workers));
@@ -112,8 +126,9 @@ int map_region(const Options& options) {
                             {"sections", rows}}
                            .dump(2));
   } else {
-    fmt::print("{}{}\n{} {}\n", section_table(sections), job.message, db::to_string(job.state),
-               job.id);
+    fmt::print("{}{}{}\n{} {}\n", section_table(sections),
+               quantile_table(ensembles_of(service.store, job, sections)), job.message,
+               db::to_string(job.state), job.id);
   }
   return job.state == db::JobState::successful ? 0 : 1;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace leda::server {
@@ -130,6 +131,9 @@ std::string table_of(const DistanceSummary& of, const char* name,
                         q.in_gap ? "across a gap" : "");
   }
   text += "  decided by";
+  const bool any =
+      std::ranges::any_of(of.indices, [](const auto& index) { return index.has_value(); });
+  if (!any) text += ": too few members, or no scatter, to tell";
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (!of.indices[i]) continue;
     text += fmt::format(" {} {:.2f} \u00b1 {:.2f}", inputs[i].name, of.indices[i]->first_order,
@@ -287,6 +291,26 @@ std::string ensemble_table(const SectionEnsemble& ensemble) {
                       s.probability_of_sliding, s.sliding.low, s.sliding.high, ensemble_condition);
   for (const Distance distance : solver::distances) {
     text += table_of(s.by_distance.at(distance), to_string(distance), ensemble.asked.plan.inputs);
+  }
+  return text;
+}
+
+std::string quantile_table(const std::vector<SectionEnsemble>& ensembles) {
+  if (ensembles.empty()) return "";
+  const auto& of_first = ensembles[0].summary.by_distance.at(Distance::retrogression).quantiles;
+  std::string text = fmt::format("retrogression/m that members go beyond, {}\n{:<12} {:>7} {:>7}",
+                                 ensemble_condition, "section", "members", "slides");
+  for (const auto& q : of_first)
+    text += fmt::format(" {:>8}", fmt::format("{:g} %", 100 * q.exceedance));
+  text += "\n";
+  for (const SectionEnsemble& ensemble : ensembles) {
+    const auto& s = ensemble.summary;
+    text += fmt::format("{:<12} {:>7} {:>5.0f} %", ensemble.section, s.members,
+                        100 * s.probability_of_sliding);
+    for (const auto& q : s.by_distance.at(Distance::retrogression).quantiles) {
+      text += fmt::format(" {:>8}", distance_text(q));
+    }
+    text += "\n";
   }
   return text;
 }

@@ -62,4 +62,8 @@ std::string distance_text(const solver::ExceedanceQuantile& quantile);
 /// Lines for a terminal.
 std::string ensemble_table(const SectionEnsemble& ensemble);
 
+/// A line a section for a terminal: how probable it is that it slides, and the retrogression that
+/// is exceeded with each probability. Empty without sections.
+std::string quantile_table(const std::vector<SectionEnsemble>& ensembles);
+
 }  // namespace leda::server

@@ -30,6 +30,8 @@ void remove_older(const fs::path& newest, const db::JobRecord& job, const std::s
   }
 }
 
+fs::path style_of(fs::path raster) { return raster.replace_extension(".qml"); }
+
 /// Exports take memory and processor time: one after the other.
 std::mutex exporting;
 
@@ -60,8 +62,9 @@ fs::path raster_of(const DataFolder& data, const db::Store& store, const db::Job
   if (!fs::exists(file)) {
     write_probability_raster(data, store, job, *kind, file);
     remove_older(file, job, ending);
+    remove_older(style_of(file), job, "-" + style_of(raster_name(*kind)).string());
   }
-  return name.ends_with(".qml") ? file.replace_extension(".qml") : file;
+  return name.ends_with(".qml") ? style_of(file) : file;
 }
 
 }  // namespace leda::server
