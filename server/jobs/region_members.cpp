@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "profiles/build_section.hpp"
 #include "server/documents/member_faults.hpp"
@@ -23,6 +24,20 @@ std::vector<Fault> within_inputs(std::vector<Fault> faults) {
     if (fault.pointer.starts_with(inputs)) fault.pointer.erase(0, inputs.size());
   }
   return faults;
+}
+
+/// A section that is named as a member of another will be: "AA' member-3".
+void refuse_names_of_members(const std::vector<SectionRecord>& sections, FaultList& faults) {
+  std::set<std::string> names;
+  for (const SectionRecord& section : sections) names.insert(section.name);
+  for (const std::string& name : names) {
+    const std::size_t end = name.rfind(" member-");
+    if (end != std::string::npos && names.contains(name.substr(0, end))) {
+      faults.add("/inputs/sections", "has \"" + name + "\", which a member of \"" +
+                                         name.substr(0, end) +
+                                         "\" may be named: give it another name");
+    }
+  }
 }
 
 /// The record that a member of a section will have.
@@ -88,6 +103,7 @@ std::vector<Fault> RegionMembers::check(const std::vector<SectionRecord>& sectio
     }
   }
   FaultList list;
+  refuse_names_of_members(sections, list);
   found.tell(list);
   return list.take();
 }

@@ -230,6 +230,8 @@ TEST_F(RegionEnsemble, EveryFaultIsToldBeforeAnythingIsStored) {
       faulty("/inputs/ensemble/rank_correlations", {{{"between", {"su", "water"}}, {"rho", 1.5}}})
           .find("rank_correlations"),
       std::string::npos);
+  EXPECT_NE(faulty("/inputs/sections/1/name", "AA' member-3").find("a member of"),
+            std::string::npos);
   EXPECT_EQ(server->get("/jobs")["jobs"].size(), 1U);
 }
 
