@@ -34,10 +34,16 @@ function step_box(step: Step, content: HTMLElement): HTMLElement {
   return box;
 }
 
+/** A place over the map; it may scroll, and the keyboard reaches it. */
+function stage_of(name: string): HTMLElement {
+  return h('div', {class: 'stage', hidden: true, tabindex: 0, role: 'region', 'aria-label': name});
+}
+
 function start(): void {
   document.documentElement.lang = spoken();
   const map_box = h('div', {class: 'map', tabindex: 0, 'aria-label': t('report_map'), role: 'application'});
-  const stage = h('div', {class: 'stage', hidden: true});
+  const stage = stage_of(t('step_compare'));
+  const study_stage = stage_of(t('study_settings'));
   const map = new MapView(map_box);
   const colour = {by: 'status' as ColourBy, changed: () => {
     if (state.job) map.recolour(state.job, colour.by);
@@ -52,14 +58,14 @@ function start(): void {
   connect(ask_for_token, banner.tell);
 
   const contents: Record<Step, HTMLElement> = {
-    dem: dem_step(), draw: draw_step(map), soil: soil_step(map), run: run_step(), look: look_step(colour),
+    dem: dem_step(), draw: draw_step(map), soil: soil_step(map), run: run_step(), look: look_step(colour, study_stage),
     compare: compare_step(stage), take: take_step(map),
   };
   const main = h('main', {}, steps.map((step) => step_box(step, contents[step])));
   fill(document.body,
     h('header', {}, h('h1', {}, t('title')), step_list(), h('div', {class: 'row'}, token_button(), language_button())),
     banner.element, main,
-    h('section', {class: 'view', 'aria-label': t('report_map')}, map_box, key.element, readout(map), stage,
+    h('section', {class: 'view', 'aria-label': t('report_map')}, map_box, key.element, readout(map), stage, study_stage,
       section_panel()));
   map.map.setTarget(map_box);
 

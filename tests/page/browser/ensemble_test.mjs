@@ -123,6 +123,10 @@ test('a narrow window has room for it too, in French', () => with_browser(server
   });
   assert.ok(width <= most, `${width} of ${most} pixels`);
   await browser.picture('how-sure-narrow');
+  await browser.expect_accessible('how sure, narrow');
+  await browser.step('compare');
+  await page.waitForSelector('.stage .exceedance canvas');
+  await browser.expect_accessible('compare, narrow');
   browser.expect_silence();
 }, {locale: 'fr-CA', viewport: small}));
 
@@ -150,5 +154,97 @@ test('curves, members, rasters and particles are taken away', () => with_browser
   const member = await fetch(`${server.url}/jobs/${job}/sections/${encodeURIComponent("AA' member-3")}/fields.h5`);
   assert.equal(member.status, 404);
   assert.match((await member.json()).detail, /a member of an ensemble/);
+  browser.expect_silence();
+}));
+
+test('two sections are compared by their curves', () => with_browser(server, async (browser, page) => {
+  const {ensembles} = await server.ask('GET', `/jobs/${job}/compare?sections=AA',BB'`);
+  await open_job(page);
+  await browser.step('compare');
+  await page.waitForFunction(() => document.querySelectorAll('.stage .exceedance canvas').length === 2);
+  await page.waitForTimeout(300);
+  await browser.picture('compare-curves');
+  assert.match(await page.textContent('.stage .condition'), /Conditional on a slide/);
+  assert.match(await page.textContent('.stage .exceedance-figure .key'), /AA'\s*BB'/);
+  const cells = await page.locator('.curve-numbers tbody tr td:last-child').allInnerTexts();
+  const [{quantiles}] = ensembles.differences;
+  assert.equal(cells.length, 1 + 2 * quantiles.length);
+  const written = (metres) => (metres === null ? '–' : `${metres > 0 ? '+' : ''}${Math.round(10 * metres) / 10} m`);
+  assert.deepEqual(cells.slice(1), ['retrogression_m', 'runout_m'].flatMap((of) =>
+    quantiles.map((one) => written(one[of]).replace('-0 m', '0 m'))));
+  const drawing = await browser.downloaded('.step[data-step=compare] >> text="Curves as SVG"');
+  assert.match(drawing.bytes.toString(), /BB&#39;|BB&apos;|BB'/);
+  await browser.expect_accessible('compare');
+  browser.expect_silence();
+}));
+
+test('the report holds what an ensemble says, and on what condition', () => with_browser(server, async (browser, page) => {
+  await open_job(page);
+  await browser.step('take');
+  const {bytes} = await browser.downloaded('text="Report as one HTML file"');
+  const report = bytes.toString();
+  assert.equal(report.match(/<h4>How sure<\/h4>/g).length, 2, 'one a section');
+  assert.equal(report.match(/Conditional on a slide starting at the section: no yearly probability/g).length, 2);
+  assert.match(report, /Zones of probability/);
+  assert.match(report, /data:image\/svg\+xml;base64,/);
+  assert.doesNotMatch(report, /src="(?!data:)/, 'nothing is fetched');
+  browser.expect_silence();
+}));
+
+test('uncertain numbers stand in the form: imported, edited, kept, refused at their place, and sent', () => with_browser(
+  server, async (browser, page) => {
+    await browser.import_request(server, region);
+    const at = (pointer) => page.locator(`[data-pointer="/inputs/ensemble${pointer}"]`).last();
+    assert.equal(await at('/inputs/0/path').locator('input').inputValue(), '/soil/materials/*/peak_strength_kPa');
+    await at('/inputs/0/distribution/cov').locator('input').fill('0,3');
+    await at('/inputs/0/path').locator('input').fill('/soil/materials/none/k0');
+    await page.reload();
+    await browser.step('soil');
+    await page.waitForSelector('fieldset.model');
+    assert.equal(await at('/inputs/0/distribution/cov').locator('input').inputValue(), '0.3');
+    const {inputs} = JSON.parse((await browser.downloaded('text="Export request"')).bytes);
+    const edited = JSON.parse(JSON.stringify(region.inputs.ensemble));
+    edited.inputs[0].distribution.cov = 0.3;
+    edited.inputs[0].path = '/soil/materials/none/k0';
+    assert.deepEqual(inputs.ensemble, edited);
+    await browser.step('run');
+    await page.click('text="Dry run"');
+    await page.waitForSelector('.step[data-step=run] [role=alert]');
+    assert.equal(await page.locator('nav [data-step=soil] .faults').textContent(), ' 1');
+    await browser.step('soil');
+    assert.match(await at('/inputs/0/path').locator('.fault').textContent(), /none/);
+    await browser.picture('form-of-an-ensemble');
+    await browser.expect_accessible('form');
+    await at('/inputs/0/path').locator('input').fill('/soil/materials/*/peak_strength_kPa');
+    await browser.step('run');
+    await page.click('text="Dry run"');
+    await page.waitForSelector('text="The request is sound."');
+    assert.match(await page.textContent('.step[data-step=run] .facts'), /Runs38/);
+    browser.expect_silence(/status of 400/);
+  }));
+
+test('an ensemble is made in the form from nothing', () => with_browser(server, async (browser, page) => {
+  const {ensemble, ...certain} = region.inputs;
+  await browser.import_request(server, {inputs: certain});
+  const box = page.locator('.step[data-step=soil] [data-pointer="/inputs/ensemble"]').first();
+  await box.locator('select.adder').selectOption('ensemble');
+  const input = page.locator('[data-pointer="/inputs/ensemble/inputs/0"]').last();
+  await input.locator('[data-pointer$="/name"] input').fill('strength');
+  const suggested = await input.locator('datalist option').evaluateAll((options) => options.map(({value}) => value));
+  assert.ok(suggested.includes('/soil/materials/*/peak_strength_kPa'), suggested.join(' '));
+  await input.locator('[data-pointer$="/path"] input').fill('/soil/materials/S1/peak_strength_kPa');
+  await input.locator('select[aria-label="Distribution: kind"]').selectOption({label: 'discrete'});
+  for (const [member, values] of [['values', ['35', '45']], ['weights', ['0.4', '0.6']]]) {
+    const list = input.locator(`fieldset[data-pointer$="/distribution/${member}"]`);
+    while (await list.locator('input').count() < 2) await list.locator('text="Add"').click();
+    for (const [i, value] of values.entries()) await list.locator('input').nth(i).fill(value);
+  }
+  const {inputs} = JSON.parse((await browser.downloaded('text="Export request"')).bytes);
+  assert.deepEqual(inputs.ensemble, {inputs: [{name: 'strength', path: '/soil/materials/S1/peak_strength_kPa',
+    distribution: {type: 'discrete', values: [35, 45], weights: [0.4, 0.6]}}]});
+  await browser.step('run');
+  await page.click('text="Dry run"');
+  await page.waitForSelector('text="The request is sound."');
+  assert.match(await page.textContent('.step[data-step=run] .facts'), /Core-hoursat least/);
   browser.expect_silence();
 }));

@@ -76,9 +76,9 @@ export class Server {
     return answer.json();
   }
 
-  /** Runs a region to its end. @return the job's id */
-  async run(request) {
-    const {jobID} = await this.ask('POST', '/processes/map-region/execution', JSON.stringify(request));
+  /** Runs a region, or what another process takes, to its end. @return the job's id */
+  async run(request, process = 'map-region') {
+    const {jobID} = await this.ask('POST', `/processes/${process}/execution`, JSON.stringify(request));
     for (let i = 0; i < 600; ++i) {
       const {status, message} = await this.ask('GET', `/jobs/${jobID}`);
       if (status === 'successful') return jobID;
@@ -144,6 +144,15 @@ export class Browser {
   async enter_token(token) {
     await this.page.fill('#token', token);
     await this.page.press('#token', 'Enter');
+  }
+
+  /** A request brought in as a file, as a user imports one. */
+  async import_request(server, request) {
+    const file = join(server.folder, 'request.json');
+    writeFileSync(file, JSON.stringify(request));
+    await this.step('soil');
+    await this.page.setInputFiles('.step[data-step=soil] input[type=file]', file);
+    await this.page.waitForSelector('fieldset.model');
   }
 
   async upload(file) {

@@ -9,15 +9,6 @@ import {Server, source, with_browser} from './leda_in_a_browser.mjs';
 const region = JSON.parse(readFileSync(join(source, 'deploy/demo/region.json'), 'utf8'));
 region.inputs.resolution.cell_m = 2;
 
-/** A request brought in as a file, as a user imports one. */
-async function import_request(browser, server, request) {
-  const file = join(server.folder, 'request.json');
-  writeFileSync(file, JSON.stringify(request));
-  await browser.step('soil');
-  await browser.page.setInputFiles('.step[data-step=soil] input[type=file]', file);
-  await browser.page.waitForSelector('fieldset.model');
-}
-
 /** Whether the map has the colour of a chosen line; the hillshade, which may have it too, must be off. */
 function is_marked(page) {
   return page.evaluate(() => [...document.querySelectorAll('.ol-layer canvas')].some((canvas) => {
@@ -50,7 +41,7 @@ test('faults stand at their fields, and are counted at their steps', () => with_
   wrong.inputs.soil.materials.S1.poisson_ratio = 0.7;
   wrong.inputs.sections[0].name = "BB'";
   wrong.inputs.name = '';
-  await import_request(browser, server, wrong);
+  await browser.import_request(server, wrong);
   await browser.step('run');
   await page.click('text="Submit"');
   await page.waitForSelector('.step[data-step=run] [role=alert]');
@@ -88,7 +79,7 @@ test('what is not done yet is said in plain words', () => with_browser(server, a
 test('a line outside the DEM is refused at its points', () => with_browser(server, async (browser, page) => {
   const outside = copy(region);
   outside.inputs.sections = [{name: "AA'", line: [[1, 2], [3, 4]]}];
-  await import_request(browser, server, outside);
+  await browser.import_request(server, outside);
   await browser.step('draw');
   const fault = page.locator('[data-pointer="/inputs/sections/0/line"] .fault').first();
   await fault.waitFor();
@@ -125,7 +116,7 @@ test('a job is watched over a restart of the server', {timeout: 120_000}, () => 
   const long = copy(region);
   long.inputs.resolution.cell_m = 0.6;
   long.inputs.output = {frame_interval_s: 1};
-  await import_request(browser, server, long);
+  await browser.import_request(server, long);
   await browser.step('run');
   await page.click('text="Submit"');
   await page.waitForFunction(() => /running/.test(document.querySelector('.jobs .card.chosen')?.textContent ?? ''));
@@ -225,7 +216,7 @@ test('every step passes axe-core', () => with_browser(server, async (browser, pa
   await page.goto(`${server.url}/#job=${finished_job}`);
   await page.reload();
   await page.waitForSelector(`[data-section="BB'"]`);
-  await import_request(browser, server, region);
+  await browser.import_request(server, region);
   await page.waitForFunction(() => document.querySelectorAll('.pictures svg').length > 0);
   for (const details of await page.locator('details.material > summary').all()) await details.click();
   for (const step of ['dem', 'draw', 'soil', 'run', 'look', 'compare', 'take']) {

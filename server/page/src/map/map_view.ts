@@ -5,7 +5,7 @@ import OlMap from 'ol/Map';
 import View from 'ol/View';
 import {defaults as default_controls} from 'ol/control/defaults';
 import ScaleLine from 'ol/control/ScaleLine';
-import {getCenter} from 'ol/extent';
+import {getCenter, isEmpty} from 'ol/extent';
 import type Geometry from 'ol/geom/Geometry';
 import LineString from 'ol/geom/LineString';
 import MultiPolygon from 'ol/geom/MultiPolygon';
@@ -197,11 +197,12 @@ export class MapView {
 
   private has_probability = false;
 
-  /** Looks at all sections of a job the first time it shows. */
+  /** Looks at all sections of a job the first time it shows; those of a case lie nowhere on the map. */
   private fit_to_job(job: JobMap): void {
-    if (job.job === this.fitted_to || job.sections.name.length === 0) return;
+    const box = this.sources.sections.getExtent()!;
+    if (job.job === this.fitted_to || isEmpty(box)) return;
     this.fitted_to = job.job;
-    this.fit(this.sources.sections.getExtent()!);
+    this.fit(box);
   }
   private fitted_to = '';
 

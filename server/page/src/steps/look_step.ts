@@ -104,10 +104,12 @@ function section_rows(filter: string, count: number): {rows: HTMLElement[]; left
   return {rows, left: found.length - rows.length};
 }
 
-export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElement {
+/** @param stage over the map, for jobs that have something else to show */
+export function look_step(colour: {by: ColourBy; changed: () => void}, stage: HTMLElement): HTMLElement {
   const report = new Report();
   const jobs = h('ul', {class: 'cards jobs'});
-  const study = study_box(report);
+  const study = study_box(stage, report);
+  const no_map = h('p', {class: 'quiet'}, t('not_on_map'));
   const table_box = h('div');
   const watch = new Watch();
   let count = rows_at_once;
@@ -154,13 +156,14 @@ export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElem
 
   const show_sections = () => {
     table_box.hidden = !state.job || state.job.sections.name.length === 0;
+    no_map.hidden = !state.job || state.job.sections.trace.some((trace) => trace.length > 0) ||
+      state.job.sections.name.length === 0;
     show_table();
   };
   on('jobs', show_jobs);
   on('job', () => {
     show_jobs();
     show_sections();
-    study.draw();
   });
   on('section', show_table);
   // The newest job shows by itself: it is what one comes for.
@@ -171,5 +174,5 @@ export function look_step(colour: {by: ColourBy; changed: () => void}): HTMLElem
   });
   show_jobs();
   show_sections();
-  return h('section', {}, h('h2', {}, t('jobs')), report.element, jobs, study.element, table_box);
+  return h('section', {}, h('h2', {}, t('jobs')), report.element, jobs, study, no_map, table_box);
 }

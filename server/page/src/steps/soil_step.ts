@@ -106,7 +106,10 @@ export function soil_step(map: MapView): HTMLElement {
   const ensemble_form = (schemas: Schemas) => {
     const form = new SchemaForm(schemas, changed, undefined, (member) =>
       (member === 'path' ? paths_to_numbers(request_of(state.draft).inputs) : []));
-    return form.members(schemas.whole, state.draft.settings, '/inputs', ['ensemble']);
+    const box = form.members(schemas.whole, state.draft.settings, '/inputs', ['ensemble']);
+    // Faults of other settings are not said here.
+    box.dataset.pointer = '/inputs/ensemble';
+    return box;
   };
 
   const model_form = (schemas: Schemas, i: number): HTMLElement => {

@@ -2,7 +2,7 @@
 
 import {blob, get, text} from '../api';
 import {fill, h, save} from '../dom';
-import {state} from '../state';
+import {on, state} from '../state';
 import type {JobMap, Study, StudySetting} from '../types';
 import {show, t} from '../words';
 import {type Report, button} from './parts';
@@ -29,7 +29,7 @@ export function setting_row(setting: StudySetting, study: Study): string[] {
 function setting_table(study: Study): HTMLElement {
   const head = [`${t('cell')}, m`, t('study_particles'), t('field_time_step_factor'), `${t('retrogression')}, m`,
     `${t('runout')}, m`, t('study_error'), `${t('run_time')}, s`, ''];
-  return h('div', {class: 'wide', tabindex: 0, role: 'region', 'aria-label': t('study_settings')},
+  return h('div', {class: 'wide', tabindex: 0, role: 'group', 'aria-label': t('study_settings')},
     h('table', {class: 'sections'}, h('caption', {}, t('study_settings')),
       h('thead', {}, h('tr', {}, head.map((word) => (word ? h('th', {scope: 'col'}, word) : h('td', {}))))),
       h('tbody', {}, study.settings.map((setting) => h('tr', {}, setting_row(setting, study).map((cell, i) =>
@@ -38,7 +38,7 @@ function setting_table(study: Study): HTMLElement {
 
 let picture_url = '';
 
-async function load(target: HTMLElement, job: JobMap, report: Report): Promise<void> {
+async function load(stage: HTMLElement, words: HTMLElement, job: JobMap, report: Report): Promise<void> {
   const address = `jobs/${job.job}/results`;
   const [picture, study] = await Promise.all([blob(`${address}?f=svg`), get<Study>(address)]);
   if (state.job?.job !== job.job) return;
@@ -46,23 +46,28 @@ async function load(target: HTMLElement, job: JobMap, report: Report): Promise<v
   picture_url = URL.createObjectURL(picture);
   const keep = (f: string) => void text(`${address}?f=${f}`).then((content) => save(new Blob([content]),
     `${job.name || job.job}.${f}`), (error) => report.problem(error));
-  fill(target, h('figure', {}, h('img', {src: picture_url, alt: t('study_picture')}),
-    h('figcaption', {}, t('study_picture'))),
-    h('ul', {}, study.outcome.map((one) => h('li', {}, one))), setting_table(study),
-    h('div', {class: 'row'}, button('study_svg', () => keep('svg')), button('study_csv', () => keep('csv'))));
+  fill(stage, h('figure', {}, h('img', {src: picture_url, alt: t('study_picture')}),
+    h('figcaption', {}, t('study_picture'))), setting_table(study));
+  fill(words, h('div', {class: 'row'}, button('study_svg', () => keep('svg')), button('study_csv', () => keep('csv'))),
+    h('ul', {class: 'outcome'}, study.outcome.map((one) => h('li', {}, one))));
 }
 
-/** Shows the study that is chosen; nothing of another job. */
-export function study_box(report: Report): {element: HTMLElement; draw: () => void} {
+/** Shows the study that is chosen; nothing of another job.
+ *  @param stage over the map, on which a study has nothing
+ *  @return what is said beside it */
+export function study_box(stage: HTMLElement, report: Report): HTMLElement {
   const element = h('div');
   let shown = '';
   const draw = () => {
     const {job} = state;
     const wanted = job?.processID === 'resolution-study' && job.status === 'successful' ? job.job : '';
+    stage.hidden = state.step !== 'look' || !wanted || state.section !== null;
     if (wanted === shown) return;
     shown = wanted;
     fill(element);
-    if (job && wanted) void load(element, job, report).catch((error) => report.problem(error));
+    fill(stage);
+    if (job && wanted) void load(stage, element, job, report).catch((error) => report.problem(error));
   };
-  return {element, draw};
+  on(['job', 'step', 'section'], draw);
+  return element;
 }
