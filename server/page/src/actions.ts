@@ -49,6 +49,11 @@ export function section_address(job: string, name: string): string {
   return `jobs/${job}/sections/${encodeURIComponent(name)}`;
 }
 
+/** Sections of a case or a study have profiles, and no place on the ground. */
+export function lies_on_map(job: JobMap): boolean {
+  return job.sections.trace.some((trace) => trace.length > 0);
+}
+
 /** What the members of a section say; nothing where the first of them are not over. */
 export async function ensemble_of(job: string, section: string): Promise<Ensemble | null> {
   try {

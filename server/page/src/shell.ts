@@ -1,6 +1,6 @@
 // The frame of the page: steps, the map with its legend, what the pointer is over.
 
-import {go} from './actions';
+import {go, lies_on_map} from './actions';
 import {forget_token, get} from './api';
 import {type ColourBy, colour_sections, probability_colour} from './colours';
 import {fill, h, later} from './dom';
@@ -70,7 +70,7 @@ export function legend(map: MapView, colour: {by: ColourBy}): {element: HTMLElem
   const element = h('details', {class: 'legend', open: true}, h('summary', {}, t('legend')), body);
   const draw = () => {
     const {job, step} = state;
-    const shows_job = job !== null && ['look', 'compare', 'take'].includes(step);
+    const shows_job = job !== null && lies_on_map(job) && ['look', 'compare', 'take'].includes(step);
     const has: Record<LayerName, boolean> = {
       hillshade: state.raster !== null, sections: shows_job, release: shows_job && job.release_zones.length > 0,
       runout: shows_job && job.runout_zones.length > 0,

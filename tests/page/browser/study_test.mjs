@@ -29,6 +29,7 @@ test('a study shows its picture, its outcome and its settings', async () => {
       const text = await page.textContent('.step[data-step=look]');
       for (const line of outcome) assert.ok(text.includes(line), line);
       assert.match(text, /This job has no map/);
+      assert.ok(await page.locator('.legend').isHidden(), 'nothing on the map to explain');
       const rows = await page.locator('.wide tbody tr').allInnerTexts();
       assert.deepEqual(rows.map((row) => Number(row.split(/\s/)[0])), settings.map(({cell_m}) => cell_m));
       const finest = rows.find((row) => Number(row.split(/\s/)[0]) === 1);

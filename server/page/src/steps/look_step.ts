@@ -1,6 +1,6 @@
 // Jobs, how far they are, and the sections of the one on the map.
 
-import {load_jobs, open_section, show_job} from '../actions';
+import {lies_on_map, load_jobs, open_section, show_job} from '../actions';
 import {send} from '../api';
 import {type ColourBy, colour_sections, status_word} from '../colours';
 import {fill, h, later} from '../dom';
@@ -156,8 +156,7 @@ export function look_step(colour: {by: ColourBy; changed: () => void}, stage: HT
 
   const show_sections = () => {
     table_box.hidden = !state.job || state.job.sections.name.length === 0;
-    no_map.hidden = !state.job || state.job.sections.trace.some((trace) => trace.length > 0) ||
-      state.job.sections.name.length === 0;
+    no_map.hidden = !state.job || lies_on_map(state.job) || state.job.sections.name.length === 0;
     show_table();
   };
   on('jobs', show_jobs);
