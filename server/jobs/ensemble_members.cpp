@@ -59,14 +59,27 @@ std::string EnsembleLooks::not_needed(const Ensemble& ensemble, const solver::Pl
   const std::size_t number = run_of(member).member;
   OfSection& of = by_section_[member.member->of];
   if (!of.ended_at && look_before(number, ensemble.asked.plan) > of.looked_at) {
-    const auto look = last_look(ensemble, place, store_.members(member.job, member.member->of));
-    if (look) {
-      of.looked_at = look->members;
-      if (look->summary.ending == solver::Ending::half_width) of.ended_at = look->members;
-    }
+    look(ensemble, place, member, of);
   }
   if (!of.ended_at || number < *of.ended_at) return "";
   return fmt::format("not needed: {} members are sure enough", *of.ended_at);
+}
+
+void EnsembleLooks::look(const Ensemble& ensemble, const solver::Place& place,
+                         const SectionRecord& member, OfSection& of) const {
+  if (of.waits_for != 0) {
+    const auto other = store_.section(of.waits_for);
+    if (other && !has_ended(*other)) return;
+    of.waits_for = 0;
+  }
+  const auto members = store_.members(member.job, member.member->of);
+  for (const SectionRecord& other : members) {
+    if (of.waits_for == 0 && !has_ended(other)) of.waits_for = other.id;
+  }
+  const auto last = last_look(ensemble, place, members);
+  if (!last) return;
+  of.looked_at = last->members;
+  if (last->summary.ending == solver::Ending::half_width) of.ended_at = last->members;
 }
 
 }  // namespace leda::server

@@ -1,6 +1,7 @@
 #pragma once
 // Members of the sections of a job: their rows, and how many of them are run.
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,7 +36,12 @@ class EnsembleLooks {
   struct OfSection {
     std::size_t looked_at = 0;            ///< members of the last look
     std::optional<std::size_t> ended_at;  ///< and of the one that was sure enough
+    /// A member that the next look waits for: while it goes on no other is read. 0: none.
+    std::int64_t waits_for = 0;
   };
+
+  void look(const Ensemble& ensemble, const solver::Place& place, const db::SectionRecord& member,
+            OfSection& of) const;
 
   const db::Store& store_;
   std::map<int, OfSection> by_section_;

@@ -13,10 +13,6 @@ namespace {
 using db::SectionRecord;
 using db::SectionState;
 
-bool has_ended(const SectionRecord& section) {
-  return section.state != SectionState::waiting && section.state != SectionState::running;
-}
-
 MemberRow row_of(const Ensemble& ensemble, const solver::Place& place,
                  const SectionRecord& member) {
   MemberRow row = row_of(ensemble, place, run_of(member), member.result);
@@ -25,6 +21,10 @@ MemberRow row_of(const Ensemble& ensemble, const solver::Place& place,
 }
 
 }  // namespace
+
+bool has_ended(const SectionRecord& section) {
+  return section.state != SectionState::waiting && section.state != SectionState::running;
+}
 
 MemberRun run_of(const SectionRecord& member) {
   const db::MemberRecord& record = member.member.value();

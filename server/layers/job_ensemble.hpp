@@ -11,6 +11,9 @@
 
 namespace leda::server {
 
+/// Whether a section or a member neither waits nor runs.
+bool has_ended(const db::SectionRecord& section);
+
 /// The run of a member's row. @pre the record is a member's
 MemberRun run_of(const db::SectionRecord& member);
 
