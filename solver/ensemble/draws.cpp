@@ -81,18 +81,30 @@ Key Draws::key_of(Scope scope, const Place& place) const {
 }
 
 std::vector<double> Draws::inputs_of(const Place& place, std::size_t member) const {
+  return values_at(coordinates_of(place, member));
+}
+
+std::size_t Draws::coordinate_of(std::size_t input) const {
+  const std::string name = name_of_draw(inputs_[input]);
+  const auto same =
+      std::ranges::find_if(inputs_, [&](const auto& other) { return name_of_draw(other) == name; });
+  return static_cast<std::size_t>(same - inputs_.begin());
+}
+
+std::vector<double> Draws::coordinates_of(const Place& place, std::size_t member) const {
+  std::vector<double> u;
+  u.reserve(inputs_.size());
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    const Key key = key_of(inputs_[i].scope, place).with(name_of_draw(inputs_[i]));
+    u.push_back(design_.coordinate(coordinate_of(i), member, key));
+  }
+  return u;
+}
+
+std::vector<double> Draws::values_at(const std::vector<double>& coordinates) const {
   std::vector<double> u;
   u.reserve(order_.size());
-  for (const std::size_t i : order_) {
-    const UncertainInput& input = inputs_[i];
-    // Of a table's columns the first one's dimension counts for all.
-    const std::string name = name_of_draw(input);
-    const auto same = std::ranges::find_if(
-        inputs_, [&](const auto& other) { return name_of_draw(other) == name; });
-    const auto dimension = static_cast<std::size_t>(same - inputs_.begin());
-    const Key key = key_of(input.scope, place).with(name);
-    u.push_back(design_.coordinate(dimension, member, key));
-  }
+  for (const std::size_t i : order_) u.push_back(coordinates[i]);
   const auto correlated = copula_(u);
   std::vector<double> values(inputs_.size());
   for (std::size_t k = 0; k < order_.size(); ++k) {

@@ -39,8 +39,15 @@ class Draws {
                                    const Sampling& sampling, std::size_t first_members,
                                    std::size_t most_members);
 
-  /// The value of each input, in their order.
+  /// The value of each input, in their order: those at the member's coordinates.
   std::vector<double> inputs_of(const Place& place, std::size_t member) const;
+
+  /// Where a member stands in the unit cube before inputs are correlated: one coordinate an input,
+  /// the same for all columns of a table.
+  std::vector<double> coordinates_of(const Place& place, std::size_t member) const;
+  std::vector<double> values_at(const std::vector<double>& coordinates) const;
+  /// The input whose coordinate this one has: itself, or of a table the first column.
+  std::size_t coordinate_of(std::size_t input) const;
 
   /// Of the particles' lattice: never 0, and others for each `repeat` of the same inputs.
   std::uint64_t particle_seed(const Place& place, std::size_t member, std::size_t repeat = 0) const;

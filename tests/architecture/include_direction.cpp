@@ -34,6 +34,7 @@ const std::map<std::string, Doors>& inner_rooms() {
         {"extremes", {"section", "run"}},
         {"study", {"section"}},
         {"ensemble", {"section"}},
+        {"hindcast", {"section", "ensemble"}},
         {"screening", {"section"}},
         {"element_test", {"section", "materials", "kernel"}}}},
       {"server",
