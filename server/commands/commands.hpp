@@ -16,6 +16,7 @@ void add_dss(CLI::App& app, int& exit_code);
 void add_calibrate(CLI::App& app, int& exit_code);
 void add_fit(CLI::App& app, int& exit_code);
 void add_ensemble(CLI::App& app, int& exit_code);
+void add_hindcast(CLI::App& app, int& exit_code);
 void add_study(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_backup(CLI::App& app, int& exit_code);

@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   leda::server::add_fit(app, exit_code);
   leda::server::add_compare(app, exit_code);
   leda::server::add_ensemble(app, exit_code);
+  leda::server::add_hindcast(app, exit_code);
   leda::server::add_study(app, exit_code);
   leda::server::add_check(app, exit_code);
   leda::server::add_export(app, exit_code);

@@ -51,9 +51,9 @@ json ensemble_schema() {
           {"definitions", json::parse(definitions_schema_text)}};
 }
 
-/// The study schema, with the case schema among its definitions.
-json study_schema() {
-  json schema = with_definitions(resolution_study_request_schema_text);
+/// A schema with the case schema among its definitions.
+json with_case(const char* text) {
+  json schema = with_definitions(text);
   json inner = json::parse(case_schema_text);
   inner.erase("$schema");
   schema["definitions"]["case"] = inner;
@@ -80,10 +80,13 @@ const Published& published(PublishedSchema which) {
   static const Published ensemble(ensemble_schema());
   static const Published region(with_options(with_definitions(region_schema_text)));
   static const Published simulate(with_options(simulate_schema()));
-  static const Published study(with_options(study_schema()));
+  static const Published study(with_options(with_case(resolution_study_request_schema_text)));
+  static const Published hindcast(with_options(with_case(hindcast_request_schema_text)));
   switch (which) {
     case PublishedSchema::case_file:
       return case_file;
+    case PublishedSchema::hindcast_request:
+      return hindcast;
     case PublishedSchema::ensemble:
       return ensemble;
     case PublishedSchema::region_request:

@@ -10,7 +10,14 @@
 namespace leda::server {
 
 /// `ensemble`: the member of that name.
-enum class PublishedSchema { case_file, ensemble, region_request, simulate_request, study_request };
+enum class PublishedSchema {
+  case_file,
+  ensemble,
+  hindcast_request,
+  region_request,
+  simulate_request,
+  study_request
+};
 
 /// The whole schema with its definitions, as served to clients.
 const nlohmann::json& published_schema(PublishedSchema which);

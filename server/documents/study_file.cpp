@@ -90,33 +90,6 @@ void check_against_case(const CaseFile* of, const std::vector<AskedSetting>& ask
   }
 }
 
-/// The case of the study, from itself or from the file it names.
-/// @param case_at becomes the place of its faults
-Parsed<CaseFile> read_case(ObjectReader& reader, const CaseReader* read_file, std::string& case_at,
-                           FaultList& faults) {
-  case_at = reader.at("case");
-  const json* file = read_file ? reader.find("case_file") : nullptr;
-  if (!file) {
-    const json* document = reader.require("case");
-    return document ? read_case_file(*document, case_at) : Parsed<CaseFile>{};
-  }
-  case_at = reader.at("case_file");
-  if (reader.find("case")) faults.add(case_at, "stands beside case: give one of the two");
-  const std::string name = read_text(*file, case_at, 4096, faults);
-  if (name.empty()) return {};
-  const auto text = (*read_file)(name);
-  if (!text) {
-    faults.add(case_at, "is \"" + name + "\", which cannot be read");
-    return {};
-  }
-  auto parsed = parse_case_file(*text);
-  for (Fault& fault : parsed.faults) {
-    fault.message.insert(0, fmt::format("{} {}: ", name, fault.pointer));
-    fault.pointer = case_at;
-  }
-  return parsed;
-}
-
 /// The document as a client would send it, for the published schema.
 std::vector<Fault> faults_of_schema(json document, const StudyFile& study, const std::string& at) {
   document.erase("workers");
@@ -136,8 +109,8 @@ Parsed<StudyFile> read_study(const json& document, const std::string& at,
   StudyFile study;
   ObjectReader reader(document, at, list);
   study.name = reader.text("name");
-  std::string case_at;
-  auto of = read_case(reader, read_file, case_at, list);
+  NamedCase named = read_named_case(reader, read_file, list);
+  auto& of = named.of;
   const StudySetting own = of ? own_setting(*of.value) : unknown_setting;
   const auto asked = read_study_grid(reader, own, list);
   const bool few = check_settings(asked, own, at, list);
@@ -152,7 +125,7 @@ Parsed<StudyFile> read_study(const json& document, const std::string& at,
     study.machine = read_text(*machine, reader.at("machine"), 200, list);
   }
   reader.refuse_unknown();
-  if (few) check_against_case(of ? &*of.value : nullptr, asked, case_at, list);
+  if (few) check_against_case(of ? &*of.value : nullptr, asked, named.at, list);
   if (of) study.of = std::move(*of.value);
   auto faults = list.take();
   add_new_faults(faults, std::move(of.faults));

@@ -3,12 +3,10 @@
 // and as the inputs of the process resolution-study. Published schema:
 // schema/resolution-study-request.json; format: README.md of this folder.
 
-#include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 
-#include "server/documents/case_file.hpp"
+#include "server/documents/named_case.hpp"
 #include "solver/study/study.hpp"
 
 namespace leda::server {
@@ -22,9 +20,6 @@ struct StudyFile {
   int workers = 1;      ///< runs at the same time; 0: one a core
   std::string machine;  ///< where it runs, in the user's words; empty: not said
 };
-
-/// The text of the file that "case_file" names; nothing where it cannot be read.
-using CaseReader = std::function<std::optional<std::string>(const std::string& file)>;
 
 /// A study on the command line: "case_file" may stand in place of "case", and "workers" is known.
 /// Every fault at once, those of the case too.
