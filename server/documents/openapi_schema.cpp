@@ -76,7 +76,8 @@ json openapi_schemas() {
   const std::array requests{
       std::pair{"map-region-request", PublishedSchema::region_request},
       std::pair{"simulate-section-request", PublishedSchema::simulate_request},
-      std::pair{"resolution-study-request", PublishedSchema::study_request}};
+      std::pair{"resolution-study-request", PublishedSchema::study_request},
+      std::pair{"hindcast-request", PublishedSchema::hindcast_request}};
   for (const auto& [name, which] : requests) {
     const json& schema = published_schema(which);
     schemas[name] = to_openapi(schema);

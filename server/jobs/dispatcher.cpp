@@ -207,7 +207,8 @@ std::optional<Dispatcher::OpenJob> Dispatcher::open(const std::string& id) {
 bool Dispatcher::start_next() {
   OpenJob* next = nullptr;
   for (auto& [id, job] : jobs_) {
-    if (job.sections.counts().of(SectionState::waiting) == 0) continue;
+    const auto waiting = job.sections.first_waiting();
+    if (!waiting || job.sections.any_running(job.work->begins_after(*waiting))) continue;
     const bool sooner = next == nullptr || job.running < next->running ||
                         (job.running == next->running && job.record.created < next->record.created);
     if (sooner) next = &job;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "server/documents/published_schema.hpp"
+#include "server/jobs/hindcast.hpp"
 #include "server/jobs/map_region.hpp"
 #include "server/jobs/resolution_study.hpp"
 #include "server/jobs/simulate_section.hpp"
@@ -72,6 +73,28 @@ nlohmann::json describe_study() {
   return document;
 }
 
+nlohmann::json describe_hindcast() {
+  auto document = description_of(PublishedSchema::hindcast_request);
+  document["outputs"] = {
+      {"name", output("Name of the hindcast", "string")},
+      {"condition", output("What all of it is conditional on", "string")},
+      {"date", output("When it ended", "string")},
+      {"members", output("Of all waves", "integer")},
+      {"waves", output("Run", "integer")},
+      {"locals", output("Draws of local inputs", "integer")},
+      {"seed", output("Of the draws", "integer")},
+      {"confidence", output("Of predictions and intervals", "number")},
+      {"discrepancy", output("As asked, and its bias after the slides", "object")},
+      {"weights", output("Whether they can be trusted, and why not", "object")},
+      {"shared_inputs", output("Before and after the slides, and how far they moved", "array")},
+      {"slides", output("Each slide predicted from the others", "array")},
+      {"retrogression", output("Coverage with its chance, sharpness and score", "object")},
+      {"runout", output("Coverage with its chance, sharpness and score", "object")},
+      {"posterior", output("The shared inputs as inputs of an ensemble, with a label", "object")},
+      {"core_s", output("Run time", "number")}};
+  return document;
+}
+
 constexpr std::array table{
     Process{"map-region", "Map the hazard of a region",
             "Cuts sections from a DEM, simulates them and joins retrogression and runout to "
@@ -85,6 +108,11 @@ constexpr std::array table{
             "and the run time of every setting, the fastest one within a wanted error, and how far "
             "the answer depends on each",
             open_study, describe_study, study_results},
+    Process{"hindcast", "What past slides teach",
+            "Runs past slides over their uncertain inputs and weighs members by what was observed: "
+            "the shared inputs afterwards, each slide predicted from the others, and whether the "
+            "weights can be trusted",
+            open_hindcast, describe_hindcast, hindcast_results},
 };
 
 }  // namespace

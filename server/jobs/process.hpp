@@ -51,6 +51,9 @@ class Work {
   /// Whether not_needed() may spare a section: the least of a dry run is without it.
   virtual bool may_be_spared(const db::SectionRecord& /*section*/) const { return false; }
 
+  /// Sections before this one must have ended before the section at `ordinal` begins.
+  virtual std::size_t begins_after(std::size_t /*ordinal*/) const { return 0; }
+
   /// What the run of a section, or of a member with the ground of its section, will take.
   virtual RunSize size(const db::SectionRecord& section) const = 0;
 

@@ -24,4 +24,10 @@ std::optional<std::size_t> SectionQueue::first_waiting() const {
   return none_waits_before_;
 }
 
+bool SectionQueue::any_running(std::size_t count) const {
+  if (counts_.of(SectionState::running) == 0) return false;
+  return std::any_of(sections_.begin(), sections_.begin() + static_cast<std::ptrdiff_t>(count),
+                     [](const auto& section) { return section.state == SectionState::running; });
+}
+
 }  // namespace leda::server

@@ -28,6 +28,9 @@ class SectionQueue {
   /// The index of the first that waits; nothing where none does.
   std::optional<std::size_t> first_waiting() const;
 
+  /// Whether one of the first `count` is running.
+  bool any_running(std::size_t count) const;
+
  private:
   StateCounts& counts_of(const db::SectionInLine& section) {
     return section.is_member ? counts_.members : counts_.sections;

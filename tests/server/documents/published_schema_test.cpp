@@ -11,8 +11,9 @@ namespace {
 using nlohmann::json;
 
 TEST(PublishedSchema, EveryReferenceIsDefined) {
-  for (const auto which : {PublishedSchema::case_file, PublishedSchema::region_request,
-                           PublishedSchema::simulate_request, PublishedSchema::study_request}) {
+  for (const auto which : {PublishedSchema::case_file, PublishedSchema::hindcast_request,
+                           PublishedSchema::region_request, PublishedSchema::simulate_request,
+                           PublishedSchema::study_request}) {
     const json& schema = published_schema(which);
     const json flat = schema.flatten();
     for (const auto& [pointer, value] : flat.items()) {

@@ -78,7 +78,8 @@ TEST_F(HttpServerTest, ProcessesSayWhatTheyTakeAndGive) {
   for (const auto& [name, output] : std::vector<std::pair<std::string, std::string>>{
            {"map-region", "runout_zones"},
            {"simulate-section", "sections"},
-           {"resolution-study", "fastest_within_wanted_error"}}) {
+           {"resolution-study", "fastest_within_wanted_error"},
+           {"hindcast", "posterior"}}) {
     const json process = ok("/processes/" + name);
     EXPECT_EQ(process["jobControlOptions"], (json{"async-execute", "dismiss"})) << name;
     EXPECT_TRUE(process["outputs"].contains(output)) << name;

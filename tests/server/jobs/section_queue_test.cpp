@@ -22,6 +22,16 @@ TEST(SectionQueue, GivesTheFirstThatWaitsAlsoWhereOneBeforeItComesBack) {
   EXPECT_EQ(queue.first_waiting(), 1U);
 }
 
+TEST(SectionQueue, TellsWhetherOneOfTheFirstRuns) {
+  SectionQueue queue(
+      {{1, SectionState::finished}, {2, SectionState::waiting}, {3, SectionState::waiting}});
+  EXPECT_FALSE(queue.any_running(3));
+  queue.set_state(1, SectionState::running);
+  EXPECT_TRUE(queue.any_running(2));
+  EXPECT_FALSE(queue.any_running(1));
+  EXPECT_FALSE(queue.any_running(0));
+}
+
 TEST(SectionQueue, CountsItsStates) {
   SectionQueue queue({{1, SectionState::waiting}, {2, SectionState::waiting}});
   queue.set_state(0, SectionState::failed);
