@@ -68,10 +68,10 @@ HindcastFile read_hindcast(const fs::path& file) {
   return std::move(*parsed.value);
 }
 
-/// What a wave costs, core-seconds.
+/// What a wave costs whose members slide at once, core-seconds; one that stands costs little.
 RunCost cost_of_wave(const HindcastFile& file) {
   RunCost all;
-  const auto runs = static_cast<double>(file.plan.draws.members * file.plan.draws.locals);
+  const auto runs = static_cast<double>(file.plan.draws.members);
   for (const PastCase& slide : file.cases) {
     const RunCost one =
         cost_of(run_size(slide.of.section, slide.of.settings), typical_or_default(std::nullopt));
@@ -82,13 +82,14 @@ RunCost cost_of_wave(const HindcastFile& file) {
 }
 
 void show_dry_run(const HindcastFile& file, bool as_json) {
-  const std::size_t runs = runs_of_wave(file.plan, 0).size();
+  const std::size_t runs = runs_of_draw(file.plan, 0, 0).size();
+  const std::size_t most_runs = runs * file.plan.waves * file.plan.draws.locals;
   const auto waves = static_cast<double>(file.plan.waves);
   const RunCost wave = cost_of_wave(file);
   if (as_json) {
     const nlohmann::json estimate{
         {"runs_at_least", runs},
-        {"runs_at_most", runs * file.plan.waves},
+        {"runs_at_most", most_runs},
         {"core_hours_at_least", wave.likely_core_s / 3600},
         {"core_hours_at_most", waves * wave.likely_core_s / 3600},
         {"core_hours_if_none_comes_to_rest", waves * wave.longest_core_s / 3600}};
@@ -96,7 +97,7 @@ void show_dry_run(const HindcastFile& file, bool as_json) {
     return;
   }
   fmt::print("{} slides, {} to {} runs, {:.2g} to {:.2g} core-hours\n", file.cases.size(), runs,
-             runs * file.plan.waves, wave.likely_core_s / 3600, waves * wave.likely_core_s / 3600);
+             most_runs, wave.likely_core_s / 3600, waves * wave.likely_core_s / 3600);
 }
 
 void show(std::size_t wave, const RunsProgress& p) {

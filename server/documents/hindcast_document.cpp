@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "solver/hindcast/weights.hpp"
@@ -149,15 +150,28 @@ HindcastRow row_of(const HindcastFile& file, const solver::SharedDraws& draws,
           std::move(result)};
 }
 
+std::vector<solver::HindcastRun> still_wanted(const std::vector<solver::HindcastRun>& runs,
+                                              const std::vector<HindcastRow>& rows) {
+  std::set<std::pair<std::size_t, std::size_t>> slid;
+  for (const HindcastRow& row : rows) {
+    if (!row.result || !solver::outcome_of(*row.result).slid().value_or(false)) continue;
+    slid.emplace(row.run.slide, row.run.member);
+  }
+  std::vector<solver::HindcastRun> wanted;
+  for (const auto& run : runs) {
+    if (!slid.contains({run.slide, run.member})) wanted.push_back(run);
+  }
+  return wanted;
+}
+
 solver::SlideOutcomes outcomes_of(const HindcastFile& file, const solver::SharedDraws& draws,
                                   const std::vector<HindcastRow>& rows) {
-  using Locals = std::vector<solver::MemberOutcome>;
-  const std::vector<Locals> none(draws.members(), Locals(file.plan.draws.locals));
+  const std::vector<std::vector<solver::MemberOutcome>> none(draws.members());
   solver::SlideOutcomes outcomes(file.plan.slides.size(), none);
   for (const HindcastRow& row : rows) {
-    if (!row.result) continue;
-    outcomes.at(row.run.slide).at(row.run.member).at(row.run.local) =
-        solver::outcome_of(*row.result);
+    outcomes.at(row.run.slide)
+        .at(row.run.member)
+        .push_back(row.result ? solver::outcome_of(*row.result) : solver::MemberOutcome{});
   }
   return outcomes;
 }

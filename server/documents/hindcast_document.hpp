@@ -31,10 +31,15 @@ struct Hindcast {
   solver::HindcastSummary summary;
 };
 
+/// Whether a run is to be made: its member slid there in none of the rows, which hold all its draws
+/// before.
+std::vector<solver::HindcastRun> still_wanted(const std::vector<solver::HindcastRun>& runs,
+                                              const std::vector<HindcastRow>& rows);
+
 HindcastRow row_of(const HindcastFile& file, const solver::SharedDraws& draws,
                    const solver::HindcastRun& run, std::optional<SectionResult> result);
 
-/// What the runs of all waves drawn say, without a result where a row is missing.
+/// What the runs of all waves drawn say. @param rows in the order of their draws
 solver::SlideOutcomes outcomes_of(const HindcastFile& file, const solver::SharedDraws& draws,
                                   const std::vector<HindcastRow>& rows);
 

@@ -99,7 +99,7 @@ void read_waves(ObjectReader& reader, std::size_t slides, solver::HindcastPlan& 
                 FaultList& faults) {
   auto& draws = plan.draws;
   draws.members = read_number_of(reader, "members", 64, 16, most_members, faults);
-  draws.locals = read_number_of(reader, "locals", 1, 1, 16, faults);
+  draws.locals = read_number_of(reader, "locals", 4, 1, 16, faults);
   plan.waves = read_number_of(reader, "waves", 2, 1, 5, faults);
   const std::int64_t seed = reader.integer_or("seed", 1);
   if (seed < 0) faults.add(reader.at("seed"), fmt::format("is {}, must be at least 0", seed));
@@ -145,11 +145,13 @@ void check_first_wave(const HindcastFile& file, const std::string& at, FaultList
   const SharedDraws draws(file.plan.draws);
   for (std::size_t e = 0; e < file.cases.size(); ++e) {
     MemberFaults found(file.cases[e].document, at);
-    for (const HindcastRun& run : runs_of_wave(file.plan, 0)) {
-      if (run.slide != e) continue;
-      const std::string name = "at " + file.slide(run) + ", " + run_name(file.plan.draws, run);
-      for (const Fault& fault : read_case_file(file.case_of(draws, run)).faults) {
-        found.add(name, false, file.inputs_of(draws, run), fault);
+    for (std::size_t local = 0; local < file.plan.draws.locals; ++local) {
+      for (const HindcastRun& run : runs_of_draw(file.plan, 0, local)) {
+        if (run.slide != e) continue;
+        const std::string name = "at " + file.slide(run) + ", " + run_name(file.plan.draws, run);
+        for (const Fault& fault : read_case_file(file.case_of(draws, run)).faults) {
+          found.add(name, false, file.inputs_of(draws, run), fault);
+        }
       }
     }
     found.tell(faults);
@@ -232,18 +234,17 @@ json HindcastFile::case_of(const SharedDraws& draws, const HindcastRun& run) con
 std::string run_name(const solver::SharedPlan& plan, const HindcastRun& run) {
   std::string name = fmt::format("wave-{}-slide-{}-member-{}", run.member / plan.members + 1,
                                  run.slide + 1, run.member);
-  if (plan.locals > 1) name += fmt::format("-local-{}", run.local + 1);
+  if (run.local > 0) name += fmt::format("-local-{}", run.local + 1);
   return name;
 }
 
-std::vector<HindcastRun> runs_of_wave(const solver::HindcastPlan& plan, std::size_t wave) {
+std::vector<HindcastRun> runs_of_draw(const solver::HindcastPlan& plan, std::size_t wave,
+                                      std::size_t local) {
   std::vector<HindcastRun> runs;
   const std::size_t members = plan.draws.members;
   for (std::size_t member = wave * members; member < (wave + 1) * members; ++member) {
     for (std::size_t slide = 0; slide < plan.slides.size(); ++slide) {
-      for (std::size_t local = 0; local < plan.draws.locals; ++local) {
-        runs.push_back({slide, member, local});
-      }
+      runs.push_back({slide, member, local});
     }
   }
   return runs;

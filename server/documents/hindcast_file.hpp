@@ -37,12 +37,14 @@ struct HindcastFile {
   nlohmann::json case_of(const solver::SharedDraws& draws, const solver::HindcastRun& run) const;
 };
 
-/// "wave-1-slide-2-member-7", with "-local-2" after it where a member draws more than once: a name
-/// for a run, and for a folder. Counted from 1 but for members.
+/// "wave-1-slide-2-member-7", with "-local-2" after it where a member draws again: a name for a
+/// run, and for a folder. Counted from 1 but for members.
 std::string run_name(const solver::SharedPlan& plan, const solver::HindcastRun& run);
 
-/// The runs of a wave, which counts from 0, members first. They are as many in each.
-std::vector<solver::HindcastRun> runs_of_wave(const solver::HindcastPlan& plan, std::size_t wave);
+/// The runs of a wave with one draw of the local inputs, both counted from 0; they are as many for
+/// each. A member is drawn again at a slide where it slid in none of its draws before.
+std::vector<solver::HindcastRun> runs_of_draw(const solver::HindcastPlan& plan, std::size_t wave,
+                                              std::size_t local);
 
 /// On the command line: "case_file" may stand in place of "case". Every fault at once, those of
 /// cases and of members of the first wave too.

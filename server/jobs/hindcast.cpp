@@ -25,7 +25,8 @@ HindcastFile parsed_or_problem(const std::string& request, Members members) {
   return std::move(*parsed.value);
 }
 
-std::size_t runs_a_wave(const HindcastFile& file) { return runs_of_wave(file.plan, 0).size(); }
+/// Sections of one draw of the local inputs: those of a wave come after each other.
+std::size_t runs_a_draw(const HindcastFile& file) { return runs_of_draw(file.plan, 0, 0).size(); }
 
 /// A result counts when it is of the case that is drawn now. It is not where an earlier wave was
 /// tried again after this one had run: then this one was drawn from other results.
@@ -39,14 +40,18 @@ std::optional<SectionResult> result_of(const HindcastFile& file, const SharedDra
   return same ? section.result : std::nullopt;
 }
 
-/// Rows of the waves drawn.
+/// Rows of the waves drawn, but for draws that were not wanted.
 std::vector<HindcastRow> rows_of(const HindcastFile& file, const SharedDraws& draws,
                                  const std::vector<SectionRecord>& sections) {
   std::vector<HindcastRow> rows;
+  std::size_t ordinal = 0;
   for (std::size_t wave = 0; wave < draws.waves(); ++wave) {
-    for (const auto& run : runs_of_wave(file.plan, wave)) {
-      rows.push_back(
-          row_of(file, draws, run, result_of(file, draws, run, sections.at(rows.size()))));
+    for (std::size_t local = 0; local < file.plan.draws.locals; ++local) {
+      for (const auto& run : runs_of_draw(file.plan, wave, local)) {
+        const SectionRecord& section = sections.at(ordinal++);
+        if (section.state == SectionState::left_out) continue;
+        rows.push_back(row_of(file, draws, run, result_of(file, draws, run, section)));
+      }
     }
   }
   return rows;
@@ -67,8 +72,10 @@ class HindcastJob final : public WithoutMap {
   HindcastJob(HindcastFile file, const db::Store& store)
       : file_(std::move(file)), store_(store), draws_(file_.plan.draws) {
     for (std::size_t wave = 0; wave < file_.plan.waves; ++wave) {
-      const auto runs = runs_of_wave(file_.plan, wave);
-      runs_.insert(runs_.end(), runs.begin(), runs.end());
+      for (std::size_t local = 0; local < file_.plan.draws.locals; ++local) {
+        const auto runs = runs_of_draw(file_.plan, wave, local);
+        runs_.insert(runs_.end(), runs.begin(), runs.end());
+      }
     }
   }
 
@@ -106,13 +113,16 @@ class HindcastJob final : public WithoutMap {
 
   bool keeps_fields() const override { return false; }
 
-  bool may_be_spared(const SectionRecord& section) const override { return wave_of(section) > 0; }
+  bool may_be_spared(const SectionRecord& section) const override {
+    return wave_of(section) > 0 || run_of(section).local > 0;
+  }
 
   std::size_t begins_after(std::size_t ordinal) const override {
-    return ordinal / runs_a_wave(file_) * runs_a_wave(file_);
+    return ordinal / runs_a_draw(file_) * runs_a_draw(file_);
   }
 
   std::string not_needed(const SectionRecord& section) const override {
+    if (slid_before(section)) return "not needed: the member slid here in an earlier draw";
     if (is_drawn(section)) return "";
     return "not needed: the waves before say enough, or no member agrees with all slides";
   }
@@ -124,6 +134,16 @@ class HindcastJob final : public WithoutMap {
 
   std::size_t wave_of(const SectionRecord& section) const {
     return run_of(section).member / file_.plan.draws.members;
+  }
+
+  bool slid_before(const SectionRecord& section) const {
+    solver::HindcastRun before = run_of(section);
+    while (before.local-- > 0) {
+      const auto other = store_.section(section.job, run_name(file_.plan.draws, before));
+      if (!other || !other->result) continue;
+      if (solver::outcome_of(*other->result).slid().value_or(false)) return true;
+    }
+    return false;
   }
 
   /// Draws the waves up to a section's, whose earlier ones have ended.

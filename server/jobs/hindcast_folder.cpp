@@ -5,16 +5,17 @@
 namespace leda::server {
 namespace {
 
-/// The runs of a wave whose case is sound. Those of the first wave all are; in later ones a draw
-/// between sound ones may not be: it is told, and has no result.
-struct WaveOfCases {
+/// Runs whose case is sound. Those of the first wave all are; in later ones a draw between sound
+/// ones may not be: it is told, and has no result.
+struct SoundRuns {
   std::vector<solver::HindcastRun> runs;
   std::vector<CaseRun> cases;
 };
 
-WaveOfCases cases_of(const HindcastFile& file, HindcastRuns& out, std::size_t wave) {
-  WaveOfCases sound;
-  for (const auto& run : runs_of_wave(file.plan, wave)) {
+SoundRuns sound_of(const HindcastFile& file, HindcastRuns& out,
+                   const std::vector<solver::HindcastRun>& wanted) {
+  SoundRuns sound;
+  for (const auto& run : wanted) {
     CaseRun one{run_name(file.plan.draws, run), file.case_of(out.draws, run)};
     const auto read = read_case_file(one.of);
     if (read) {
@@ -29,11 +30,12 @@ WaveOfCases cases_of(const HindcastFile& file, HindcastRuns& out, std::size_t wa
   return sound;
 }
 
+/// One draw of the local inputs, of members that have not slid before.
 /// @return whether it was interrupted
-bool run_wave(const HindcastFile& file, HindcastRuns& out, std::size_t wave,
-              const std::filesystem::path& folder, Fields fields, Executor& executor,
-              const RunsListener& listener) {
-  const WaveOfCases sound = cases_of(file, out, wave);
+bool run_draw(const HindcastFile& file, HindcastRuns& out,
+              const std::vector<solver::HindcastRun>& runs, const std::filesystem::path& folder,
+              Fields fields, Executor& executor, const RunsListener& listener) {
+  const SoundRuns sound = sound_of(file, out, still_wanted(runs, out.rows));
   auto ended = run_cases(sound.cases, folder / "members", fields, executor, listener);
   if (ended.interrupted) return true;
   for (std::size_t i = 0; i < sound.runs.size(); ++i) {
@@ -52,7 +54,10 @@ HindcastRuns run_hindcast(const HindcastFile& file, const std::filesystem::path&
   HindcastRuns out{solver::SharedDraws(file.plan.draws), {}, {}, {}};
   for (std::size_t wave = 0;; ++wave) {
     if (before_wave) before_wave(wave + 1);
-    if (run_wave(file, out, wave, folder, fields, executor, listener)) return out;
+    for (std::size_t local = 0; local < file.plan.draws.locals; ++local) {
+      const auto runs = runs_of_draw(file.plan, wave, local);
+      if (run_draw(file, out, runs, folder, fields, executor, listener)) return out;
+    }
     const auto outcomes = outcomes_of(file, out.draws, out.rows);
     const auto weights = next_wave(file.plan, out.draws, outcomes);
     if (!weights) {

@@ -1,5 +1,6 @@
 #include "solver/hindcast/posterior.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -101,8 +102,11 @@ std::optional<std::vector<double>> next_wave(const HindcastPlan& plan, const Sha
   const auto log_prior = draws.log_prior();
   const auto likelihood = Likelihoods(plan, outcomes).of_members();
   if (log_sum(likelihood) == -infinity) return std::nullopt;
-  const double t = tempering_exponent(log_prior, likelihood, plan.least_effective);
-  if (t == 1) return std::nullopt;
+  const auto whole = effective_members(normalized(tempered(log_prior, likelihood, 1)));
+  if (whole >= plan.least_effective) return std::nullopt;
+  const auto members = static_cast<double>(plan.draws.members);
+  const double about = std::min(std::max(6.0, members / 6), plan.least_effective);
+  const double t = tempering_exponent(log_prior, likelihood, about);
   return normalized(tempered(log_prior, likelihood, t));
 }
 

@@ -22,8 +22,8 @@ struct HindcastPlan {
   double confidence = 0.9;      ///< of predictions and of the inputs' intervals
 };
 
-/// By slide, member (of all waves, numbered through) and local draw. A run without a result is an
-/// outcome without a status.
+/// By slide, member (of all waves, numbered through) and local draw, as many as were run. A run
+/// without a result is an outcome without a status.
 using SlideOutcomes = std::vector<std::vector<std::vector<MemberOutcome>>>;
 
 /// Weights of members and what they carry.
@@ -57,8 +57,9 @@ class Likelihoods {
   std::vector<std::vector<std::vector<double>>> by_node_;  ///< ln, by slide, member and node
 };
 
-/// Weights for the next wave: tempered until enough members count. Nothing where the likelihood
-/// need not be tempered, the waves are spent, or no member agrees with all slides.
+/// Weights that the next wave is drawn about: tempered until a sixth of a wave's members count, so
+/// that a few waves get far; what a wave is drawn from costs nothing but runs. Nothing where enough
+/// members count already, the waves are spent, or no member agrees with all slides.
 std::optional<std::vector<double>> next_wave(const HindcastPlan& plan, const SharedDraws& draws,
                                              const SlideOutcomes& outcomes);
 

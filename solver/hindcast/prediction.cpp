@@ -29,15 +29,14 @@ Counted count(const std::vector<MemberOutcome>& locals) {
   return c;
 }
 
-/// Over the members that gave a result.
+/// Over the runs that gave a result.
 double share_that_slides(const std::vector<std::vector<MemberOutcome>>& members,
                          const std::vector<double>& weights) {
   double slid = 0, all = 0;
   for (std::size_t m = 0; m < members.size(); ++m) {
     const Counted c = count(members[m]);
-    if (c.known == 0) continue;
-    slid += weights[m] * static_cast<double>(c.slid) / static_cast<double>(c.known);
-    all += weights[m];
+    slid += weights[m] * static_cast<double>(c.slid);
+    all += weights[m] * static_cast<double>(c.known);
   }
   return all > 0 ? slid / all : 0;
 }

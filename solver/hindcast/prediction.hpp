@@ -25,7 +25,8 @@ struct Prediction {
 
 struct SlidePrediction {
   std::map<std::string, std::size_t> runs;  ///< "slid", "cut-short", "at-rest", "no-result"
-  /// Share of the runs that slid, under the prior and under the weights of the other slides.
+  /// Share of the runs that slid, under the prior and under the weights of the other slides;
+  /// members that were drawn again where they stood count each of their runs.
   double slides_prior = 0, slides_from_others = 0;
   Weights others;                              ///< of members, by the other slides
   std::map<Distance, Prediction> by_distance;  ///< what was observed; empty where no member counts

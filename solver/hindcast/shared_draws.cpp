@@ -24,21 +24,25 @@ SharedDraws::SharedDraws(SharedPlan plan) : plan_(std::move(plan)) {
   waves_.push_back(wave_of(0));
   for (std::size_t i = 0; i < plan_.inputs.size(); ++i) {
     const bool shared = plan_.inputs[i].scope == Scope::region;
-    if (shared && waves_.front().shared.coordinate_of(i) == i) coordinates_.push_back(i);
+    if (shared && waves_.front().front().coordinate_of(i) == i) coordinates_.push_back(i);
   }
   for (std::size_t m = 0; m < plan_.members; ++m) scores_.push_back(scores_of_first_wave(m));
 }
 
 SharedDraws::Wave SharedDraws::wave_of(std::size_t wave) const {
-  const Sampling sampling{Method::latin, Key(plan_.seed).with("wave").with(wave).bits(), 1};
-  const auto draws = [&](std::size_t points) {
-    return Draws::make(plan_.inputs, plan_.correlations, sampling, points, points).value();
-  };
-  return {draws(plan_.members), draws(plan_.members * plan_.locals)};
+  const Key key = Key(plan_.seed).with("wave").with(wave);
+  Wave draws;
+  for (std::size_t local = 0; local < plan_.locals; ++local) {
+    const Sampling sampling{Method::latin, key.with("local").with(local).bits(), 1};
+    draws.push_back(
+        Draws::make(plan_.inputs, plan_.correlations, sampling, plan_.members, plan_.members)
+            .value());
+  }
+  return draws;
 }
 
 Scores SharedDraws::scores_of_first_wave(std::size_t member) const {
-  const auto u = waves_.front().shared.coordinates_of({}, member);
+  const auto u = waves_.front().front().coordinates_of({}, member);
   Scores scores;
   for (const std::size_t i : coordinates_) scores.push_back(score_of(u[i]));
   return scores;
@@ -78,21 +82,20 @@ std::vector<double> SharedDraws::log_prior() const {
 
 std::vector<double> SharedDraws::inputs_of(const HindcastRun& run, const std::string& slide) const {
   const std::size_t in_wave = run.member % plan_.members;
-  const Wave& wave = waves_.at(run.member / plan_.members);
-  auto u = wave.local.coordinates_of({slide, slide}, in_wave * plan_.locals + run.local);
+  const Draws& local = waves_.at(run.member / plan_.members).at(run.local);
+  auto u = local.coordinates_of({slide, slide}, in_wave);
   const Scores& scores = scores_.at(run.member);
   for (std::size_t i = 0; i < u.size(); ++i) {
-    const auto own = std::ranges::find(coordinates_, wave.local.coordinate_of(i));
+    const auto own = std::ranges::find(coordinates_, local.coordinate_of(i));
     if (own == coordinates_.end()) continue;
     u[i] = coordinate_at(scores[static_cast<std::size_t>(own - coordinates_.begin())]);
   }
-  return wave.local.values_at(u);
+  return local.values_at(u);
 }
 
 std::uint64_t SharedDraws::particle_seed(const HindcastRun& run, const std::string& slide) const {
   const std::size_t in_wave = run.member % plan_.members;
-  return waves_.at(run.member / plan_.members)
-      .local.particle_seed({slide, slide}, in_wave * plan_.locals + run.local);
+  return waves_.at(run.member / plan_.members).at(run.local).particle_seed({slide, slide}, in_wave);
 }
 
 }  // namespace leda::solver

@@ -17,7 +17,7 @@ struct SharedPlan {
   std::vector<UncertainInput> inputs;
   std::vector<RankCorrelation> correlations;  ///< positive definite
   std::size_t members = 64;                   ///< of a wave
-  std::size_t locals = 1;                     ///< draws of the local inputs of a member and slide
+  std::size_t locals = 1;                     ///< draws of local inputs of a member and slide
   std::uint64_t seed = 1;
 };
 
@@ -51,9 +51,8 @@ class SharedDraws {
   const SharedPlan& plan() const { return plan_; }
 
  private:
-  struct Wave {
-    Draws shared, local;
-  };
+  /// One a draw of the local inputs; shared inputs are as in the first.
+  using Wave = std::vector<Draws>;
   Wave wave_of(std::size_t wave) const;
   Scores scores_of_first_wave(std::size_t member) const;
 

@@ -56,7 +56,7 @@ TEST(HindcastFile, RunsAreCasesOfTheirSlideWithSharedInputs) {
   ASSERT_TRUE(read) << test::text(read.faults);
   const HindcastFile& file = *read.value;
   const solver::SharedDraws draws(file.plan.draws);
-  const auto runs = runs_of_wave(file.plan, 0);
+  const auto runs = runs_of_draw(file.plan, 0, 0);
   ASSERT_EQ(runs.size(), 2U * 16U);
   const json a = file.case_of(draws, {0, 3, 0}), b = file.case_of(draws, {1, 3, 0});
   const auto inputs = file.inputs_of(draws, {0, 3, 0});
@@ -68,17 +68,19 @@ TEST(HindcastFile, RunsAreCasesOfTheirSlideWithSharedInputs) {
   EXPECT_NE(a["resolution"]["seed"], b["resolution"]["seed"]);
   std::set<std::string> names;
   for (std::size_t wave = 0; wave < 2; ++wave) {
-    for (const auto& run : runs_of_wave(file.plan, wave)) {
-      names.insert(run_name(file.plan.draws, run));
+    for (std::size_t local = 0; local < 4; ++local) {
+      for (const auto& run : runs_of_draw(file.plan, wave, local)) {
+        names.insert(run_name(file.plan.draws, run));
+      }
     }
   }
-  EXPECT_EQ(names.size(), 64U);
+  EXPECT_EQ(names.size(), 256U);
 }
 
 TEST(HindcastFile, WhatIsNotSaidIsAsDocumented) {
   const auto plan = parsed(hindcast()).value->plan;
   EXPECT_EQ(plan.waves, 2U);
-  EXPECT_EQ(plan.draws.locals, 1U);
+  EXPECT_EQ(plan.draws.locals, 4U);
   EXPECT_EQ(plan.draws.seed, 1U);
   EXPECT_EQ(plan.least_effective, 8);
   EXPECT_EQ(plan.discrepancy.sd_ln, 0.3);
@@ -185,7 +187,7 @@ struct MadeUp {
 
   std::vector<HindcastRow> rows_of_all() const {
     std::vector<HindcastRow> all;
-    for (const auto& run : runs_of_wave(file.plan, 0)) {
+    for (const auto& run : runs_of_draw(file.plan, 0, 0)) {
       SectionResult result;
       result.status = RunStatus::at_rest;
       result.crest_to_crest_retrogression_m = 100 * file.inputs_of(draws, run)[1];
@@ -236,6 +238,22 @@ TEST(HindcastDocument, ItsPosteriorIsTakenByAnEnsembleAsItStands) {
   EXPECT_EQ(sample.values.size(), 16U);
   EXPECT_EQ(request.plan.inputs[0].scope, solver::Scope::region);
   EXPECT_EQ(request.places[0].path, "/materials/*/softening/remolded_strength_kPa");
+}
+
+TEST(HindcastDocument, AMemberIsDrawnAgainWhereItDidNotSlide) {
+  MadeUp made(hindcast());
+  const auto again = runs_of_draw(made.file.plan, 0, 1);
+  EXPECT_TRUE(still_wanted(again, made.rows).empty());
+  made.rows[4].result->crest_to_crest_retrogression_m = 0;
+  made.rows[7].result.reset();
+  const auto wanted = still_wanted(again, made.rows);
+  ASSERT_EQ(wanted.size(), 2U);
+  EXPECT_EQ(wanted[0], (solver::HindcastRun{made.rows[4].run.slide, made.rows[4].run.member, 1}));
+  SectionResult slid = *made.rows[5].result;
+  made.rows.push_back(row_of(made.file, made.draws, wanted[0], slid));
+  const auto outcomes = outcomes_of(made.file, made.draws, made.rows);
+  EXPECT_EQ(outcomes[wanted[0].slide][wanted[0].member].size(), 2U);
+  EXPECT_GT(made.hindcast().summary.posterior.values[wanted[0].member], 0);
 }
 
 TEST(HindcastDocument, AnswersAreThePriorOfAnotherHindcast) {

@@ -46,13 +46,13 @@ def casselman:
     event("Saint-Jude 2010"; $jude[0] | saint_jude | coarse(2; 120);
       {retrogression_m: {value: 80, sd_ln: 0.1}, runout_m: {value: 45, sd_ln: 0.2}};
       "thesis; Lacasse 2013: scar of 275 by 150 m, 54 000 m2 affected, so a mean runout of 44 to 46 m over the width"),
-    event("Saint-Luc-de-Vincennes 2016"; $luc[0] | saint_luc | coarse(2; 180);
+    event("Saint-Luc-de-Vincennes 2016"; $luc[0] | saint_luc | coarse(2; 120);
       {retrogression_m: {at_least: 40, at_most: 112}};
       "thesis, Tremblay-Auger 2021: 112 m are four events in 18 days through a neck; one of them did not go further"),
-    event("Lemieux 1993"; $lemieux[0] | lemieux | coarse(3.75; 300);
+    event("Lemieux 1993"; $lemieux[0] | lemieux | coarse(3.75; 240);
       {retrogression_m: {value: 555, sd_ln: 0.05}};
       "Evans and Brooks 1994: 680 m from the river, 555 m into the plain behind an older scar"),
-    event("Casselman 1971"; $lemieux[0] | casselman | coarse(3.75; 300);
+    event("Casselman 1971"; $lemieux[0] | casselman | coarse(3.75; 240);
       {retrogression_m: {value: 450, sd_ln: 0.1}};
       "thesis, Table 3-7")
   ],
@@ -68,6 +68,6 @@ def casselman:
     {name: "water", path: "/water_table/depth_m", apply: "add", scope: "section",
      distribution: {type: "triangular", min: -1, mode: 0, max: 1}}
   ]},
-  discrepancy: {sd_ln: 0.3, correlation: 0.5},
-  members: 48, waves: 2, least_effective_members: 20, seed: 1
+  discrepancy: {sd_ln: 0.3, correlation: 0.5, bias_sd_ln: 0.7},
+  members: 32, locals: 6, waves: 2, least_effective_members: 16, seed: 1
 }
