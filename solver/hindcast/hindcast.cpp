@@ -17,15 +17,23 @@ std::string two_digits(double value) {
   return text.substr(0, text.find('.') + 3);
 }
 
-double share_cut_short(const SlideOutcomes& outcomes, const std::vector<double>& weights) {
+/// Of a distance that was observed.
+bool is_cut_short(const PastSlide& slide, const MemberOutcome& outcome) {
+  if (!outcome.slid().value_or(false)) return false;
+  return (slide.retrogression && !outcome.retrogression.is_measured()) ||
+         (slide.runout && !outcome.runout.is_measured());
+}
+
+double share_cut_short(const HindcastPlan& plan, const SlideOutcomes& outcomes,
+                       const std::vector<double>& weights) {
   double share = 0;
   for (std::size_t m = 0; m < weights.size(); ++m) {
-    const bool cut = std::ranges::any_of(outcomes, [&](const auto& members) {
-      return std::ranges::any_of(members[m], [](const MemberOutcome& o) {
-        return o.slid().value_or(false) &&
-               (!o.retrogression.is_measured() || !o.runout.is_measured());
-      });
-    });
+    bool cut = false;
+    for (std::size_t e = 0; e < plan.slides.size(); ++e) {
+      for (const MemberOutcome& outcome : outcomes[e][m]) {
+        cut = cut || is_cut_short(plan.slides[e], outcome);
+      }
+    }
     if (cut) share += weights[m];
   }
   return share;
@@ -144,7 +152,7 @@ HindcastSummary summarize(const HindcastPlan& plan, const SharedDraws& draws,
   s.full = weights_of(tempered(log_prior, log_likelihood, 1));
   s.exponent = tempering_exponent(log_prior, log_likelihood, plan.least_effective);
   s.posterior = weights_of(tempered(log_prior, log_likelihood, s.exponent));
-  s.cut_short = share_cut_short(outcomes, s.posterior.values);
+  s.cut_short = share_cut_short(plan, outcomes, s.posterior.values);
   set_bias(s, likelihoods);
   if (s.posterior.effective > 0) s.inputs = shifts_of(plan, draws, s);
   for (std::size_t e = 0; e < plan.slides.size(); ++e) {

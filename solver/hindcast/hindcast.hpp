@@ -30,7 +30,7 @@ struct HindcastSummary {
   Weights prior;         ///< by which members of all waves stand for the prior
   Weights full;          ///< with the whole likelihood
   Weights posterior;     ///< with the exponent
-  double cut_short = 0;  ///< share of the posterior on members with a run that was cut short
+  double cut_short = 0;  ///< share of the posterior on members with an observed distance cut short
   double bias_ln = 0, bias_sd_ln = 0;  ///< of the discrepancy, posterior
   std::vector<InputShift> inputs;      ///< those that are shared
   std::vector<SlidePrediction> slides;

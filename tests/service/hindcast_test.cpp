@@ -17,9 +17,16 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
+/// With room behind the crest: how far it slides depends on the remolded strength.
+json wide_bank() {
+  json bank = small_bank();
+  bank["ground"][0] = {-15, 10};
+  return bank;
+}
+
 json event(const char* name, double seen_m) {
   return {{"name", name},
-          {"case", small_bank()},
+          {"case", wide_bank()},
           {"observed", {{"retrogression_m", {{"value", seen_m}, {"sd_ln", 0.1}}}}}};
 }
 
@@ -29,11 +36,11 @@ json hindcast(double sd_ln = 0.3) {
           {"events", {event("A", 9), event("B", 12)}},
           {"ensemble",
            {{"inputs",
-             {{{"name", "su"},
-               {"path", "/materials/clay/peak_strength_kPa"},
+             {{{"name", "remolded"},
+               {"path", "/materials/clay/softening/remolded_strength_kPa"},
                {"apply", "scale"},
                {"scope", "region"},
-               {"distribution", {{"type", "uniform"}, {"min", 0.3}, {"max", 1}}}},
+               {"distribution", {{"type", "uniform"}, {"min", 1}, {"max", 9}}}},
               {{"name", "weight"},
                {"path", "/materials/clay/unit_weight_kN_m3"},
                {"distribution", {{"type", "uniform"}, {"min", 16}, {"max", 18}}}}}}}},
@@ -63,7 +70,7 @@ TEST_F(HindcastOfBanks, LeavesNumbersMembersAndADrawing) {
   json document = hindcast();
   document["events"][1].erase("case");
   document["events"][1]["case_file"] = "bank.json";
-  file("bank.json", small_bank());
+  file("bank.json", wide_bank());
   const Output done =
       run_leda({"hindcast", file("hindcast.json", document), "--out", out().string(), "--json"});
   ASSERT_EQ(done.exit_code, 0) << done.errors;
@@ -78,7 +85,7 @@ TEST_F(HindcastOfBanks, LeavesNumbersMembersAndADrawing) {
   EXPECT_TRUE(text_of(out() / "hindcast.svg").starts_with("<svg"));
   EXPECT_FALSE(fs::exists(out() / "members" / "wave-1-slide-1-member-0" / "fields.h5"));
 
-  json ensemble = small_bank();
+  json ensemble = wide_bank();
   ensemble["ensemble"] = {{"inputs", said["posterior"]["inputs"]}};
   const Output taken = run_leda({"ensemble", file("next.json", ensemble), "--out",
                                  (folder.path() / "next").string(), "--dry-run"});
