@@ -111,8 +111,6 @@ class HindcastJob final : public WithoutMap {
     return run_size(of.section, settings);
   }
 
-  bool keeps_fields() const override { return false; }
-
   bool may_be_spared(const SectionRecord& section) const override {
     return wave_of(section) > 0 || run_of(section).local > 0;
   }

@@ -106,7 +106,6 @@ TEST_F(HindcastOfAJob, HasASectionForEachRunOfEveryWave) {
   EXPECT_EQ(sections[a_draw].name, "wave-1-slide-1-member-0-local-2");
   EXPECT_EQ(sections[a_wave + 1].name, "wave-2-slide-2-member-16");
   EXPECT_EQ(shared_of(*work, 4), shared_of(*work, 5)) << "one draw for both slides";
-  EXPECT_FALSE(work->keeps_fields());
 }
 
 TEST_F(HindcastOfAJob, AWaveWaitsForTheOnesBefore) {

@@ -31,12 +31,6 @@ def saint_luc: protocol_of_known_ground | .ground[0][0] = -220 | .ground[5][0] =
 # 400 m more plain than in "blind-ground", so that a retrogression too far is seen to be so.
 def lemieux: protocol_of_known_ground | .ground[-1][0] = 2000;
 
-def casselman:
-  lemieux
-  | (.materials["clay-1"], .materials["clay-2"]) |= (.peak_strength_kPa = 87
-      | .softening |= (.alpha = 1.157 | .beta = 2.4 | .residual_strain = 2.5
-                       | .remolded_strength_kPa = 1.5));
-
 {
   name: "sensitive clay of eastern Canada",
   events: [
@@ -51,10 +45,7 @@ def casselman:
       "thesis, Tremblay-Auger 2021: 112 m are four events in 18 days through a neck; one of them did not go further"),
     event("Lemieux 1993"; $lemieux[0] | lemieux | coarse(3.75; 240);
       {retrogression_m: {value: 555, sd_ln: 0.05}};
-      "Evans and Brooks 1994: 680 m from the river, 555 m into the plain behind an older scar"),
-    event("Casselman 1971"; $lemieux[0] | casselman | coarse(3.75; 240);
-      {retrogression_m: {value: 450, sd_ln: 0.1}};
-      "thesis, Table 3-7")
+      "Evans and Brooks 1994: 680 m from the river, 555 m into the plain behind an older scar")
   ],
   ensemble: {inputs: [
     {name: "slip", path: "/materials/*/softening/reference_size_m", apply: "scale", scope: "region",
