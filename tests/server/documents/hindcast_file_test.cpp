@@ -180,6 +180,25 @@ TEST(HindcastFile, OnTheCommandLineACaseMayBeAFile) {
             (Pointers{"/events/1/case_file"}));
 }
 
+TEST(HindcastFile, TheLandslidesOfTheValidationAreSound) {
+  const auto file =
+      parse_hindcast_file(test::read_case("../../validation/hindcast/HINDCAST.json"),
+                          [](const std::string&) { return std::optional<std::string>(); });
+  ASSERT_TRUE(file) << test::text(file.faults);
+  EXPECT_EQ(file.value->cases.size(), 4U);
+}
+
+TEST(HindcastFile, ThePriorOfTheValidationIsTakenByAnEnsembleAndToldToBeOfFewSlides) {
+  const json prior = json::parse(test::read_case("../../validation/hindcast/prior.json"));
+  FaultList found;
+  const auto request = read_ensemble({{"inputs", prior["inputs"]}}, "", found);
+  EXPECT_EQ(test::text(found.take()), "");
+  EXPECT_EQ(request.plan.inputs.size(), 3U);
+  const std::string label = prior["label"];
+  EXPECT_NE(label.find("after 4 past slides alone"), std::string::npos) << label;
+  EXPECT_NE(label.find("not to be trusted"), std::string::npos) << label;
+}
+
 /// Members' runs without a simulation: retrogression grows with what is shared.
 struct MadeUp {
   explicit MadeUp(const json& inputs)

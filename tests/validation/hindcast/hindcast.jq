@@ -60,5 +60,5 @@ def lemieux: protocol_of_known_ground | .ground[-1][0] = 2000;
      distribution: {type: "triangular", min: -1, mode: 0, max: 1}}
   ]},
   discrepancy: {sd_ln: 0.3, correlation: 0.5, bias_sd_ln: 0.7},
-  members: 32, locals: 6, waves: 2, least_effective_members: 16, seed: 1
+  members: 32, locals: 6, waves: 1, least_effective_members: 16, seed: 1
 }
