@@ -1,9 +1,7 @@
 #include "profiles/probability_zones.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include "profiles/areas.hpp"
 #include "profiles/place_result.hpp"
