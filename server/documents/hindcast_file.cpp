@@ -205,8 +205,9 @@ Parsed<HindcastFile> read_hindcast(const json& document, const std::string& at,
   add_new_faults(faults, std::move(of_cases));
   if (faults.empty()) faults = faults_of_schema(document, file, at);
   if (faults.empty() && members == Members::checked) {
-    check_first_wave(file, ensemble_at, list);
-    faults = list.take();
+    FaultList of_members;
+    check_first_wave(file, ensemble_at, of_members);
+    faults = of_members.take();
   }
   if (!faults.empty()) return {std::nullopt, std::move(faults)};
   return {std::move(file), {}};

@@ -26,9 +26,9 @@ struct PastCase {
 struct HindcastFile {
   std::string name;
   solver::HindcastPlan plan;
-  std::vector<InputPlace> places;  ///< one an input of the plan
-  nlohmann::json inputs;           ///< "inputs" of the ensemble, as given
-  std::vector<PastCase> cases;     ///< one a slide of the plan
+  std::vector<InputPlace> places;                   ///< one an input of the plan
+  nlohmann::json inputs = nlohmann::json::array();  ///< "inputs" of the ensemble, as given
+  std::vector<PastCase> cases;                      ///< one a slide of the plan
 
   const std::string& slide(const solver::HindcastRun& run) const;
   std::vector<double> inputs_of(const solver::SharedDraws& draws,

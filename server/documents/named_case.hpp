@@ -14,8 +14,8 @@ namespace leda::server {
 using CaseReader = std::function<std::optional<std::string>(const std::string& file)>;
 
 struct NamedCase {
-  std::string at;           ///< pointer to where its faults stand
-  nlohmann::json document;  ///< as given; null where it cannot be read
+  std::string at;                                      ///< pointer to where its faults stand
+  nlohmann::json document = nlohmann::json::object();  ///< as given
   Parsed<CaseFile> of;
 };
 

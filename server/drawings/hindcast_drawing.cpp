@@ -13,7 +13,6 @@ namespace leda::server {
 namespace {
 
 using solver::Distance;
-using solver::Prediction;
 
 constexpr double left = 30, panel_width = 260, panel_height = 130, between = 40;
 constexpr int panels_a_row = 3;
@@ -121,9 +120,9 @@ std::string slide_row(const Hindcast& h, const Scale& scale, std::size_t e, Dist
 
 std::string distance_axis(const Scale& scale, double top, double bottom) {
   std::string out;
-  for (double decade = 1; decade <= 1e5; decade *= 10) {
+  for (int decade = 0; decade <= 5; ++decade) {
     for (const double times : {1.0, 2.0, 5.0}) {
-      const double metres = decade * times;
+      const double metres = times * std::pow(10, decade);
       if (metres < scale.low_m || metres > scale.high_m) continue;
       out += line(scale.x(metres), top, scale.x(metres), bottom, "stroke=\"#ddd\"");
       out += text_at(scale.x(metres), bottom + 16, "middle", fmt::format("{:g}", metres));
@@ -166,13 +165,12 @@ std::string hindcast_svg(const Hindcast& hindcast) {
               muted);
   const std::size_t panels = hindcast.summary.inputs.size();
   for (std::size_t i = 0; i < panels; ++i) {
-    const auto column = static_cast<double>(i % panels_a_row);
-    const auto row = static_cast<double>(i / panels_a_row);
-    body += input_panel(hindcast, i, left + column * (panel_width + between),
-                        panels_top + row * panel_step);
+    const std::size_t column = i % panels_a_row, row = i / panels_a_row;
+    body += input_panel(hindcast, i, left + static_cast<double>(column) * (panel_width + between),
+                        panels_top + static_cast<double>(row) * panel_step);
   }
-  const auto rows = static_cast<double>((panels + panels_a_row - 1) / panels_a_row);
-  const double top = panels_top + rows * panel_step;
+  const std::size_t rows = (panels + panels_a_row - 1) / panels_a_row;
+  const double top = panels_top + static_cast<double>(rows) * panel_step;
   body += text_at(left, top - 10, "start",
                   fmt::format("each slide from the others: {:.0f} % interval and median (red), "
                               "observed (cross, or line below for bounds)",

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "solver/hindcast/weights.hpp"
 
@@ -31,8 +32,8 @@ struct Proposal::Parts {
   MatrixXd factor;  ///< Cholesky's, of the covariance of a component
 };
 
-Proposal::Proposal(const std::vector<Scores>& members, const std::vector<double>& weights)
-    : parts_(std::make_unique<Parts>()) {
+Proposal::Proposal(const std::vector<Scores>& members, const std::vector<double>& weights) {
+  Parts parts;
   const auto d = static_cast<Eigen::Index>(members.front().size());
   VectorXd mean = VectorXd::Zero(d);
   for (std::size_t i = 0; i < members.size(); ++i) mean += weights[i] * vector_of(members[i]);
@@ -48,15 +49,12 @@ Proposal::Proposal(const std::vector<Scores>& members, const std::vector<double>
   const double h = std::min(width, 1.0), a = std::sqrt(1 - h * h);
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (!(weights[i] > 0)) continue;
-    parts_->means.emplace_back(a * vector_of(members[i]) + (1 - a) * mean);
-    parts_->weights.push_back(weights[i]);
+    parts.means.emplace_back(a * vector_of(members[i]) + (1 - a) * mean);
+    parts.weights.push_back(weights[i]);
   }
-  parts_->factor = h * covariance.llt().matrixL().toDenseMatrix();
+  parts.factor = h * covariance.llt().matrixL().toDenseMatrix();
+  parts_ = std::make_shared<const Parts>(std::move(parts));
 }
-
-Proposal::~Proposal() = default;
-Proposal::Proposal(Proposal&&) noexcept = default;
-Proposal& Proposal::operator=(Proposal&&) noexcept = default;
 
 Scores Proposal::draw(double which, const Scores& normals) const {
   std::size_t component = 0;

@@ -17,9 +17,6 @@ class Proposal {
  public:
   /// @param weights one a member, adding up to 1
   Proposal(const std::vector<Scores>& members, const std::vector<double>& weights);
-  ~Proposal();
-  Proposal(Proposal&&) noexcept;
-  Proposal& operator=(Proposal&&) noexcept;
 
   /// @param which within (0, 1): chooses the component
   /// @param normals independent standard normal numbers, one a coordinate
@@ -28,7 +25,7 @@ class Proposal {
 
  private:
   struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::shared_ptr<const Parts> parts_;
 };
 
 /// ln of the density of the prior.

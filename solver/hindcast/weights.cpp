@@ -10,6 +10,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Index of the quartile of so many, from 4 on, as its source rounds it.
+std::size_t first_quartile(std::size_t count) { return (count + 2) / 4 - 1; }
+
 /// k of a Pareto distribution with theta = k / scale, at its likeliest (Zhang and Stephens 2009).
 double shape_at(double theta, const std::vector<double>& excess) {
   double sum = 0;
@@ -21,7 +24,7 @@ double shape_at(double theta, const std::vector<double>& excess) {
 double fitted_shape(const std::vector<double>& excess) {
   const auto n = static_cast<double>(excess.size());
   const auto candidates = 30 + static_cast<std::size_t>(std::sqrt(n));
-  const double quartile = excess[static_cast<std::size_t>(n / 4 + 0.5) - 1];
+  const double quartile = excess[first_quartile(excess.size())];
   std::vector<double> thetas, profile;
   for (std::size_t j = 1; j <= candidates; ++j) {
     const double theta =
@@ -74,7 +77,7 @@ std::optional<double> pareto_k(const std::vector<double>& logs) {
   for (std::size_t i = sorted.size() - tail; i < sorted.size(); ++i) {
     excess.push_back(std::exp(sorted[i] - most) - cut);
   }
-  const double quartile = excess[static_cast<std::size_t>(static_cast<double>(tail) / 4 + 0.5) - 1];
+  const double quartile = excess[first_quartile(tail)];
   if (!(quartile > 0) || excess.back() <= excess.front()) {
     // Members of the same weight, or so many without any that the tail has none.
     if (excess.back() <= excess.front()) return std::nullopt;
@@ -91,7 +94,8 @@ std::vector<double> tempered(const std::vector<double>& log_prior,
                              const std::vector<double>& log_likelihood, double exponent) {
   std::vector<double> logs = log_prior;
   for (std::size_t i = 0; i < logs.size(); ++i) {
-    logs[i] += log_likelihood[i] == -infinity ? -infinity : exponent * log_likelihood[i];
+    const bool ruled_out = log_likelihood[i] == -infinity;
+    logs[i] = ruled_out ? -infinity : logs[i] + exponent * log_likelihood[i];
   }
   return logs;
 }
@@ -104,7 +108,7 @@ double tempering_exponent(const std::vector<double>& log_prior,
   if (enough(1)) return 1;
   double low = 0, high = 1;
   for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + high);
+    const double middle = std::midpoint(low, high);
     (enough(middle) ? low : high) = middle;
   }
   return low;
