@@ -120,10 +120,11 @@ int run(const Options& options) {
   LocalExecutor executor(program_beside(), workers);
   RunsListener listener;
   listener.interrupted = InterruptSignals::arrived;
-  listener.progress = [&](const RunsProgress& progress) { line.show(text_of(progress)); };
+  std::string so_far;
+  listener.progress = [&](const RunsProgress& progress) { line.show(so_far = text_of(progress)); };
   const EnsembleRuns done = run_ensemble(
       asked, options.out, options.keep_fields ? Fields::kept : Fields::removed, executor, listener);
-  line.end();
+  line.end_with(so_far);
   if (!done.summary) {
     fmt::print(stderr, "interrupted; the same command continues where this one was\n");
     return int(ExitCode::interrupted);

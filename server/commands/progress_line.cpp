@@ -31,4 +31,9 @@ void ProgressLine::end() {
   shown_.clear();
 }
 
+void ProgressLine::end_with(const std::string& text) {
+  if (!silent_ && !terminal_ && text != shown_) fmt::print(stderr, "{}\n", text);
+  end();
+}
+
 }  // namespace leda::server

@@ -16,6 +16,8 @@ class ProgressLine {
   void show(const std::string& text);
   /// Goes on to the next line of a terminal, where one was begun.
   void end();
+  /// The same; where there is no terminal tells how far it came, however short it was.
+  void end_with(const std::string& text);
 
  private:
   bool silent_, terminal_;

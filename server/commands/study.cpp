@@ -77,9 +77,10 @@ int run(const Options& options) {
   LocalExecutor executor(program_beside(), workers_of(options, asked));
   RunsListener listener;
   listener.interrupted = InterruptSignals::arrived;
-  listener.progress = [&](const RunsProgress& progress) { line.show(text_of(progress)); };
+  std::string so_far;
+  listener.progress = [&](const RunsProgress& progress) { line.show(so_far = text_of(progress)); };
   StudyRuns done = run_study(asked, options.out, executor, listener);
-  line.end();
+  line.end_with(so_far);
   if (done.interrupted) {
     fmt::print(stderr, "interrupted; the same command continues where this one was\n");
     return int(ExitCode::interrupted);
