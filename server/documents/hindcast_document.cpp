@@ -28,7 +28,7 @@ json to_json(const solver::Weights& weights) {
   return {{"effective_members", weights.effective}, {"pareto_k", or_null(weights.pareto_k)}};
 }
 
-json to_json(const solver::Spread& s) { return {s.low, s.median, s.high}; }
+json to_json(const solver::CentralInterval& s) { return {s.low, s.median, s.high}; }
 
 json to_json(const solver::Observed& o) {
   json out = json::object();

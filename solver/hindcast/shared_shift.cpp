@@ -35,8 +35,9 @@ double weighted_quantile(const std::vector<double>& values, const std::vector<st
   return last.value_or(values[order.back()]);
 }
 
-Spread spread_of(const std::vector<double>& values, const std::vector<std::size_t>& order,
-                 const std::vector<double>& weights, double confidence) {
+CentralInterval central_interval(const std::vector<double>& values,
+                                 const std::vector<std::size_t>& order,
+                                 const std::vector<double>& weights, double confidence) {
   const auto at = [&](double p) { return weighted_quantile(values, order, weights, p); };
   return {at((1 - confidence) / 2), at(0.5), at((1 + confidence) / 2)};
 }
@@ -47,8 +48,8 @@ InputShift shift_of(const std::vector<double>& values, const std::vector<double>
                     const std::vector<double>& posterior, double confidence) {
   const auto order = by_value(values);
   InputShift shift;
-  shift.prior = spread_of(values, order, prior, confidence);
-  shift.posterior = spread_of(values, order, posterior, confidence);
+  shift.prior = central_interval(values, order, prior, confidence);
+  shift.posterior = central_interval(values, order, posterior, confidence);
   double before = 0, mean = 0, square = 0, prior_mean = 0, prior_square = 0;
   for (const std::size_t i : order) {
     const double rank = std::clamp(before + 0.5 * prior[i], 1e-9, 1 - 1e-9);

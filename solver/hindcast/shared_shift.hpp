@@ -6,13 +6,13 @@
 
 namespace leda::solver {
 
-struct Spread {
+struct CentralInterval {
   double low = 0, median = 0, high = 0;  ///< of an interval with as much on both sides
 };
 
 struct InputShift {
   std::size_t input = 0;  ///< of the plan
-  Spread prior, posterior;
+  CentralInterval prior, posterior;
   double shift = 0;      ///< of the mean, in standard deviations of the prior; by ranks
   double narrowing = 1;  ///< standard deviation over the prior's; by ranks
 };
