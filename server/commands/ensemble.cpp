@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <thread>
-
 #include "db/utc_now.hpp"
 #include "disk/whole_file.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
-#include "server/commands/folder_option.hpp"
+#include "server/commands/folder_runs.hpp"
 #include "server/commands/progress_line.hpp"
 #include "server/documents/ensemble_case.hpp"
 #include "server/drawings/ensemble_drawing.hpp"
@@ -42,11 +40,7 @@ Exit codes: 0 the ensemble stands, 1 no member gave a result, 2 it is invalid, 4
 
 struct Options {
   fs::path file;
-  fs::path out;
-  std::size_t workers = 0;
-  bool keep_fields = false;
-  bool dry_run = false;
-  bool json = false;
+  FolderRunsOptions runs;
 };
 
 EnsembleCase read_ensemble(const fs::path& file) {
@@ -108,22 +102,20 @@ void leave(const SectionEnsemble& ensemble, const EnsembleRuns& runs, const fs::
 
 int run(const Options& options) {
   const EnsembleCase asked = read_ensemble(options.file);
-  if (options.dry_run) {
-    show_dry_run(asked, options.json);
+  if (options.runs.dry_run) {
+    show_dry_run(asked, options.runs.json);
     return int(ExitCode::result);
   }
   const InterruptSignals signals;
-  ProgressLine line(options.json);
-  fs::create_directories(options.out);
-  const std::size_t workers =
-      options.workers > 0 ? options.workers : std::max(1U, std::thread::hardware_concurrency());
-  LocalExecutor executor(program_beside(), workers);
+  ProgressLine line(options.runs.json);
+  fs::create_directories(options.runs.out);
+  LocalExecutor executor(program_beside(), workers_or_cores(options.runs.workers));
   RunsListener listener;
   listener.interrupted = InterruptSignals::arrived;
   std::string so_far;
   listener.progress = [&](const RunsProgress& progress) { line.show(so_far = text_of(progress)); };
-  const EnsembleRuns done = run_ensemble(
-      asked, options.out, options.keep_fields ? Fields::kept : Fields::removed, executor, listener);
+  const EnsembleRuns done =
+      run_ensemble(asked, options.runs.out, options.runs.fields(), executor, listener);
   line.end_with(so_far);
   if (!done.summary) {
     fmt::print(stderr, "interrupted; the same command continues where this one was\n");
@@ -131,10 +123,10 @@ int run(const Options& options) {
   }
   for (const std::string& failure : done.failures) fmt::print(stderr, "{}\n", failure);
   const SectionEnsemble ensemble{asked.of.section.name, asked.asked, *done.summary};
-  leave(ensemble, done, options.out);
-  if (options.json) fmt::print("{}\n", to_document(ensemble).dump(2));
-  if (!options.json) {
-    fmt::print("{}{}\n", ensemble_table(ensemble), (options.out / "ensemble.json").string());
+  leave(ensemble, done, options.runs.out);
+  if (options.runs.json) fmt::print("{}\n", to_document(ensemble).dump(2));
+  if (!options.runs.json) {
+    fmt::print("{}{}\n", ensemble_table(ensemble), (options.runs.out / "ensemble.json").string());
   }
   const bool any = done.failures.size() < done.rows.size();
   return any ? int(ExitCode::result) : int(ExitCode::failure);
@@ -149,16 +141,7 @@ void add_ensemble(CLI::App& app, int& exit_code) {
   command->add_option("case", options->file, "CASE.json with an \"ensemble\"")
       ->required()
       ->check(CLI::ExistingFile);
-  command->add_option("--out", options->out, "folder of the ensemble; made where it is missing")
-      ->required()
-      ->check(no_folder);
-  command->add_option("--workers", options->workers, "runs at the same time; 0: one a core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command->add_flag("--keep-fields", options->keep_fields, "keep fields.h5 of every run");
-  command->add_flag("--dry-run", options->dry_run,
-                    "check it, tell members, runs and core-hours, and run nothing");
-  command->add_flag("--json", options->json, "print ensemble.json, or the dry run as JSON");
+  add_folder_runs_options(*command, options->runs, "ensemble", "members, runs and core-hours");
   command->footer(footer);
   command->callback([options, &exit_code] { exit_code = guarded([&] { return run(*options); }); });
 }

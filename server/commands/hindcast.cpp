@@ -1,15 +1,13 @@
 // leda hindcast: what past slides teach.
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <thread>
 
 #include "db/utc_now.hpp"
 #include "disk/whole_file.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
+#include "server/commands/folder_runs.hpp"
+#include "server/commands/progress_line.hpp"
 #include "server/documents/hindcast_document.hpp"
 #include "server/drawings/hindcast_drawing.hpp"
 #include "server/jobs/executors/local_executor.hpp"
@@ -47,21 +45,11 @@ Exit codes: 0 the hindcast stands, 1 no member agrees with all slides, 2 it is i
 
 struct Options {
   fs::path file;
-  fs::path out;
-  std::size_t workers = 0;
-  bool keep_fields = false;
-  bool dry_run = false;
-  bool json = false;
+  FolderRunsOptions runs;
 };
 
 HindcastFile read_hindcast(const fs::path& file) {
-  auto parsed = parse_hindcast_file(read_whole(file), [&](const std::string& name) {
-    try {
-      return std::optional(read_whole(file.parent_path() / name));
-    } catch (const DataFolderError&) {
-      return std::optional<std::string>();
-    }
-  });
+  auto parsed = parse_hindcast_file(read_whole(file), cases_beside(file));
   if (!parsed) {
     throw Problem(Failure::invalid_request, "the hindcast cannot be understood", parsed.faults);
   }
@@ -100,11 +88,6 @@ void show_dry_run(const HindcastFile& file, bool as_json) {
              most_runs, wave.likely_core_s / 3600, waves * wave.likely_core_s / 3600);
 }
 
-void show(std::size_t wave, const RunsProgress& p) {
-  fmt::print(stderr, "\r\033[Kwave {}: {} of {} runs done ({} found), {} running", wave, p.done,
-             p.runs, p.found, p.running);
-}
-
 void leave(const Hindcast& hindcast, const nlohmann::json& document, const fs::path& out) {
   disk::write_whole(out / "members.csv", members_csv(hindcast));
   disk::write_whole(out / "hindcast.svg", hindcast_svg(hindcast));
@@ -113,24 +96,24 @@ void leave(const Hindcast& hindcast, const nlohmann::json& document, const fs::p
 
 int run(const Options& options) {
   const HindcastFile asked = read_hindcast(options.file);
-  if (options.dry_run) {
-    show_dry_run(asked, options.json);
+  if (options.runs.dry_run) {
+    show_dry_run(asked, options.runs.json);
     return int(ExitCode::result);
   }
   const InterruptSignals signals;
-  const bool terminal = !options.json && isatty(STDERR_FILENO) != 0;
-  fs::create_directories(options.out);
-  const std::size_t workers =
-      options.workers > 0 ? options.workers : std::max(1U, std::thread::hardware_concurrency());
-  LocalExecutor executor(program_beside(), workers);
+  ProgressLine line(options.runs.json);
+  fs::create_directories(options.runs.out);
+  LocalExecutor executor(program_beside(), workers_or_cores(options.runs.workers));
   RunsListener listener;
   listener.interrupted = InterruptSignals::arrived;
   std::size_t wave = 0;
-  if (terminal) listener.progress = [&](const RunsProgress& p) { show(wave, p); };
-  const HindcastRuns done =
-      run_hindcast(asked, options.out, options.keep_fields ? Fields::kept : Fields::removed,
-                   executor, listener, [&](std::size_t begun) { wave = begun; });
-  if (terminal) fmt::print(stderr, "\n");
+  std::string so_far;
+  listener.progress = [&](const RunsProgress& progress) {
+    line.show(so_far = fmt::format("wave {}: {}", wave, text_of(progress)));
+  };
+  const HindcastRuns done = run_hindcast(asked, options.runs.out, options.runs.fields(), executor,
+                                         listener, [&](std::size_t begun) { wave = begun; });
+  line.end_with(so_far);
   if (!done.summary) {
     fmt::print(stderr, "interrupted; the same command continues where this one was\n");
     return int(ExitCode::interrupted);
@@ -140,10 +123,10 @@ int run(const Options& options) {
   auto document = to_document(hindcast);
   document["date"] = db::utc_now();
   document["version"] = version();
-  leave(hindcast, document, options.out);
-  if (options.json) fmt::print("{}\n", document.dump(2));
-  if (!options.json) {
-    fmt::print("{}{}\n", hindcast_table(hindcast), (options.out / "hindcast.json").string());
+  leave(hindcast, document, options.runs.out);
+  if (options.runs.json) fmt::print("{}\n", document.dump(2));
+  if (!options.runs.json) {
+    fmt::print("{}{}\n", hindcast_table(hindcast), (options.runs.out / "hindcast.json").string());
   }
   const bool any = done.summary->posterior.effective > 0;
   return any ? int(ExitCode::result) : int(ExitCode::failure);
@@ -157,15 +140,7 @@ void add_hindcast(CLI::App& app, int& exit_code) {
   command->add_option("hindcast", options->file, "HINDCAST.json")
       ->required()
       ->check(CLI::ExistingFile);
-  command->add_option("--out", options->out, "folder of the hindcast; made where it is missing")
-      ->required();
-  command->add_option("--workers", options->workers, "runs at the same time; 0: one a core")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command->add_flag("--keep-fields", options->keep_fields, "keep fields.h5 of every run");
-  command->add_flag("--dry-run", options->dry_run,
-                    "check it, tell runs and core-hours, and run nothing");
-  command->add_flag("--json", options->json, "print hindcast.json, or the dry run as JSON");
+  add_folder_runs_options(*command, options->runs, "hindcast", "runs and core-hours");
   command->footer(footer);
   command->callback([options, &exit_code] { exit_code = guarded([&] { return run(*options); }); });
 }

@@ -93,19 +93,6 @@ db::JobRecord follow(const Service& service, const std::string& id, bool silent)
   }
 }
 
-/// Those whose first look is over; none where the job has no ensemble.
-std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const db::JobRecord& job,
-                                          const std::vector<db::SectionRecord>& sections) {
-  std::vector<SectionEnsemble> found;
-  const auto ensemble = JobEnsemble::of(store, job);
-  if (!ensemble) return found;
-  for (const auto& section : sections) {
-    auto of_section = ensemble->of_section(section).ensemble;
-    if (of_section) found.push_back(std::move(*of_section));
-  }
-  return found;
-}
-
 int map_region(const Options& options) {
   set_up_logging(true);
   Service service(options.data, service_options(options.workers));

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "db/store.hpp"
 #include "server/commands/commands.hpp"
 #include "server/commands/exit_code.hpp"
 #include "server/commands/folder_option.hpp"
+#include "server/commands/folder_runs.hpp"
 #include "server/commands/progress_line.hpp"
 #include "server/documents/study_document.hpp"
 #include "server/drawings/study_drawing.hpp"
@@ -45,13 +45,7 @@ struct Options {
 };
 
 StudyFile read_study(const fs::path& file) {
-  auto parsed = parse_study_file(read_whole(file), [&](const std::string& name) {
-    try {
-      return std::optional(read_whole(file.parent_path() / name));
-    } catch (const DataFolderError&) {
-      return std::optional<std::string>();
-    }
-  });
+  auto parsed = parse_study_file(read_whole(file), cases_beside(file));
   if (!parsed) {
     throw Problem(Failure::invalid_request, "the study cannot be understood", parsed.faults);
   }
@@ -59,8 +53,7 @@ StudyFile read_study(const fs::path& file) {
 }
 
 std::size_t workers_of(const Options& options, const StudyFile& study) {
-  const int wanted = options.workers.value_or(study.workers);
-  return wanted > 0 ? std::size_t(wanted) : std::max(1U, std::thread::hardware_concurrency());
+  return workers_or_cores(std::size_t(options.workers.value_or(study.workers)));
 }
 
 void leave(const Study& study, const fs::path& out) {

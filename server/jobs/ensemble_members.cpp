@@ -13,8 +13,7 @@ SectionRecord member_record(const SectionRecord& section, const MemberRun& run) 
   SectionRecord record;
   record.job = section.job;
   record.name = section.name + " " + run_name(run);
-  record.member = db::MemberRecord{section.ordinal, section.name, static_cast<int>(run.member),
-                                   static_cast<int>(run.repeat), run.finer};
+  record.member = member_of(section, run);
   return record;
 }
 

@@ -18,6 +18,7 @@
 #include "server/jobs/region_faults.hpp"
 #include "server/jobs/region_members.hpp"
 #include "server/jobs/request_pointers.hpp"
+#include "server/layers/job_ensemble.hpp"
 #include "server/operate/problem.hpp"
 #include "solver/screening/decide.hpp"
 #include "solver/section/warnings.hpp"
@@ -193,14 +194,8 @@ class Region final : public Work {
   /// what is odd is added to the warnings.
   std::vector<Fault> check(const Profile& profile, std::vector<std::string>& warnings,
                            const nlohmann::json& document) const {
-    auto built = profiles::build_section(profile, request_.soil);
-    for (auto& fault : built.faults) fault.pointer = soil_pointer(document, fault.pointer);
-    if (!built.faults.empty()) return built.faults;
-    auto faults = validate(built.section, request_.settings);
-    for (auto& fault : faults) {
-      const auto origin = profiles::origin_of(built, fault.pointer);
-      fault.pointer = case_pointer(document, origin.pointer, origin.model);
-    }
+    const auto built = profiles::build_section(profile, request_.soil);
+    auto faults = faults_of(built, request_.settings, document);
     if (faults.empty()) {
       add_new(warnings, built.warnings);
       add_new(warnings, warnings_of(built.section, request_.settings));

@@ -9,7 +9,6 @@
 #include "server/jobs/request_pointers.hpp"
 #include "server/layers/job_ensemble.hpp"
 #include "server/layers/region_quantiles.hpp"
-#include "solver/section/validate.hpp"
 
 namespace leda::server {
 namespace {
@@ -43,17 +42,11 @@ void refuse_names_of_members(const std::vector<SectionRecord>& sections, FaultLi
 /// The record that a member of a section will have.
 SectionRecord as_member(const SectionRecord& section, const MemberRun& run) {
   SectionRecord member = section;
-  member.member = db::MemberRecord{section.ordinal, section.name, static_cast<int>(run.member),
-                                   static_cast<int>(run.repeat), run.finer};
+  member.member = member_of(section, run);
   return member;
 }
 
 }  // namespace
-
-Profile profile_of(const SectionRecord& section) {
-  return {
-      section.name, section.trace, section.ground, {section.crest, section.toe}, section.warnings};
-}
 
 Parsed<CaseFile> RegionMembers::read_case(const SectionRecord& member, const json& request) const {
   const MemberRun run = run_of(member);
@@ -61,20 +54,14 @@ Parsed<CaseFile> RegionMembers::read_case(const SectionRecord& member, const jso
   auto ground = request_.ensemble->ground_of(place, run.member);
   if (!ground) return {std::nullopt, std::move(ground.faults)};
   auto built = profiles::build_section(profile_of(member), ground.value->soil);
-  CaseFile of{std::move(built.section), std::move(ground.value->settings)};
+  CaseFile of;
+  of.settings = std::move(ground.value->settings);
   const Resolution drawn = request_.ensemble->resolution_of(place, run);
   of.settings.resolution.seed = drawn.seed;
   if (run.finer) of.settings.resolution.cell_m = drawn.cell_m;
   of.settings.output = Output{};
-  std::vector<Fault> faults = std::move(built.faults);
-  for (Fault& fault : faults) fault.pointer = soil_pointer(request, fault.pointer);
-  if (faults.empty()) {
-    faults = validate(of.section, of.settings);
-    for (Fault& fault : faults) {
-      const auto origin = profiles::origin_of(built, fault.pointer);
-      fault.pointer = case_pointer(request, origin.pointer, origin.model);
-    }
-  }
+  auto faults = faults_of(built, of.settings, request);
+  of.section = std::move(built.section);
   if (!faults.empty()) return {std::nullopt, within_inputs(std::move(faults))};
   return {std::move(of), {}};
 }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "db/store.hpp"
-#include "profiles/map/profile.hpp"
 #include "profiles/zonation.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/region_request.hpp"
@@ -48,8 +47,5 @@ class RegionMembers {
   const db::Store& store_;
   EnsembleLooks looks_;
 };
-
-/// The ground of a section as the map knows it.
-Profile profile_of(const db::SectionRecord& section);
 
 }  // namespace leda::server

@@ -75,4 +75,17 @@ std::string case_pointer(const json& request, const std::string& pointer, std::s
   return soil_pointer(request, "/" + std::to_string(model) + pointer);
 }
 
+std::vector<Fault> faults_of(const profiles::BuiltSection& built, const RunSettings& settings,
+                             const json& request) {
+  std::vector<Fault> faults = built.faults;
+  for (Fault& fault : faults) fault.pointer = soil_pointer(request, fault.pointer);
+  if (!faults.empty()) return faults;
+  faults = validate(built.section, settings);
+  for (Fault& fault : faults) {
+    const auto origin = profiles::origin_of(built, fault.pointer);
+    fault.pointer = case_pointer(request, origin.pointer, origin.model);
+  }
+  return faults;
+}
+
 }  // namespace leda::server

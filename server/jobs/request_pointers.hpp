@@ -4,6 +4,10 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
+
+#include "profiles/build_section.hpp"
+#include "solver/section/run_settings.hpp"
 
 namespace leda::server {
 
@@ -18,5 +22,10 @@ std::string soil_pointer(const nlohmann::json& request, const std::string& point
 /// @param model index of the soil model it was built from
 std::string case_pointer(const nlohmann::json& request, const std::string& pointer,
                          std::size_t model);
+
+/// What is wrong with a section as it would be run: soil that does not fit its profile, else what
+/// validation finds.
+std::vector<Fault> faults_of(const profiles::BuiltSection& built, const RunSettings& settings,
+                             const nlohmann::json& request);
 
 }  // namespace leda::server

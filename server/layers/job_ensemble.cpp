@@ -32,11 +32,21 @@ MemberRun run_of(const SectionRecord& member) {
           record.finer};
 }
 
+db::MemberRecord member_of(const SectionRecord& section, const MemberRun& run) {
+  return {section.ordinal, section.name, static_cast<int>(run.member), static_cast<int>(run.repeat),
+          run.finer};
+}
+
+Profile profile_of(const SectionRecord& section) {
+  return {
+      section.name, section.trace, section.ground, {section.crest, section.toe}, section.warnings};
+}
+
 solver::Place place_of(const SectionRecord& section, const std::vector<SoilModel>& soil) {
   const std::string& name = section.member ? section.member->section : section.name;
   if (soil.size() < 2 || section.ground.empty()) return {"", name};
-  const Profile profile{name, section.trace, section.ground, {section.crest, section.toe}, {}};
-  const auto model = profiles::model_at(profiles::point_on_trace(profile, section.crest.x), soil);
+  const auto crest = profiles::point_on_trace(profile_of(section), section.crest.x);
+  const auto model = profiles::model_at(crest, soil);
   return {model ? soil[*model].name : "", name};
 }
 
@@ -99,6 +109,18 @@ EnsembleOfSection JobEnsemble::of_section(const SectionRecord& section) const {
     out.ensemble = SectionEnsemble{section.name, asked().asked, std::move(look->summary)};
   }
   return out;
+}
+
+std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const db::JobRecord& job,
+                                          const std::vector<SectionRecord>& sections) {
+  std::vector<SectionEnsemble> found;
+  const auto ensemble = JobEnsemble::of(store, job);
+  if (!ensemble) return found;
+  for (const SectionRecord& section : sections) {
+    auto of_section = ensemble->of_section(section).ensemble;
+    if (of_section) found.push_back(std::move(*of_section));
+  }
+  return found;
 }
 
 JobEnsemble ensemble_or_problem(const db::Store& store, const db::JobRecord& job) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "db/store.hpp"
+#include "profiles/map/profile.hpp"
 #include "server/documents/ensemble_document.hpp"
 #include "server/documents/region_request.hpp"
 
@@ -16,6 +17,12 @@ bool has_ended(const db::SectionRecord& section);
 
 /// The run of a member's row. @pre the record is a member's
 MemberRun run_of(const db::SectionRecord& member);
+
+/// The other way round.
+db::MemberRecord member_of(const db::SectionRecord& section, const MemberRun& run);
+
+/// The ground of a section, or of the one that a member is of, as the map knows it.
+Profile profile_of(const db::SectionRecord& section);
 
 /// What a section's draws depend on. @param soil models of a region; empty: a case
 solver::Place place_of(const db::SectionRecord& section, const std::vector<SoilModel>& soil);
@@ -55,7 +62,11 @@ class JobEnsemble {
   std::variant<EnsembleCase, RegionRequest> request_;
 };
 
-/// The same. @throws Problem no_such_result where the job has no ensemble
+/// Of those sections whose first look is over; none where the job has no ensemble.
+std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const db::JobRecord& job,
+                                          const std::vector<db::SectionRecord>& sections);
+
+/// The same as JobEnsemble::of(). @throws Problem no_such_result where the job has no ensemble
 JobEnsemble ensemble_or_problem(const db::Store& store, const db::JobRecord& job);
 
 }  // namespace leda::server

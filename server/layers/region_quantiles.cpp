@@ -64,11 +64,7 @@ std::vector<profiles::SectionQuantiles> region_quantiles(const db::Store& store,
   std::vector<profiles::SectionQuantiles> all;
   for (const SectionRecord& section : sections) {
     profiles::SectionQuantiles one;
-    one.profile = {section.name,
-                   section.trace,
-                   section.ground,
-                   {section.crest, section.toe},
-                   section.warnings};
+    one.profile = profile_of(section);
     one.line = section.line;
     one.order = section.order;
     const auto look =

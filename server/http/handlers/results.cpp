@@ -110,20 +110,6 @@ json outputs_of(Site& site, const db::JobRecord& job) {
   return outputs;
 }
 
-/// Nothing where one of the sections has none by now.
-std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const std::string& job,
-                                          const std::vector<db::SectionRecord>& sections) {
-  const auto ensemble = JobEnsemble::of(store, store.job(job).value());
-  std::vector<SectionEnsemble> found;
-  if (!ensemble) return found;
-  for (const auto& section : sections) {
-    auto of_section = ensemble->of_section(section).ensemble;
-    if (!of_section) return {};
-    found.push_back(std::move(*of_section));
-  }
-  return found;
-}
-
 }  // namespace
 
 Answer get_results(Site& site, const Call& call) {
@@ -215,7 +201,9 @@ Answer get_compare(Site& site, const Call& call) {
   }
   const bool curves = choice(call, "of", {"profiles", "curves"}) == "curves";
   const auto sections = sections_or_problem(site.service.store, call.captured[0], names);
-  const auto ensembles = ensembles_of(site.service.store, call.captured[0], sections);
+  const db::Store& store = site.service.store;
+  auto ensembles = ensembles_of(store, job_or_problem(store, call.captured[0]), sections);
+  if (ensembles.size() < sections.size()) ensembles.clear();  // they are told together or not
   if (curves && ensembles.empty()) {
     throw Problem(Failure::no_such_result,
                   "of=curves: not each of the sections has an ensemble whose first look is over");
