@@ -10,8 +10,9 @@ std::ostream& operator<<(std::ostream& out, const Breach& breach) {
 
 std::vector<Breach> all_breaches(const SourceTree& tree) {
   std::vector<Breach> all;
-  for (const auto rule : {wrong_directions, wrong_directions_inside, circles, porches_with_walls,
-                          open_fences, inner_parts_of_httplib, drawers, machine_paths, long_lines})
+  for (const auto rule :
+       {wrong_directions, wrong_directions_inside, circles, porches_with_walls, open_fences,
+        inner_parts_of_httplib, drawers, strays_at_the_top, machine_paths, long_lines})
     for (Breach& breach : rule(tree)) all.push_back(std::move(breach));
   return all;
 }

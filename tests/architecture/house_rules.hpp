@@ -42,6 +42,9 @@ std::vector<Breach> inner_parts_of_httplib(const SourceTree& tree);
 /// No file or folder is a drawer for whatever has no place.
 std::vector<Breach> drawers(const SourceTree& tree);
 
+/// At the top stand the build's files, the licence and documents: no log or record of a run.
+std::vector<Breach> strays_at_the_top(const SourceTree& tree);
+
 /// No text names a folder of the machine it was written on.
 std::vector<Breach> machine_paths(const SourceTree& tree);
 

@@ -203,6 +203,13 @@ TEST(HouseRules, ADrawerIsNoticed) {
   EXPECT_TRUE(drawers(with("solver/utilization.hpp", "")).empty());
 }
 
+TEST(HouseRules, AStrayAtTheTopIsNoticed) {
+  for (const std::string file : {"pid", "server.log", "leda.db"})
+    EXPECT_EQ(strays_at_the_top(with(file, "")).size(), 1U) << file;
+  for (const std::string file : {"README.md", "LICENSE", ".clang-tidy", "db/pid"})
+    EXPECT_TRUE(strays_at_the_top(with(file, "")).empty()) << file;
+}
+
 TEST(HouseRules, AMachinePathIsNoticed) {
   for (const std::string folder : {"work", "root"}) {
     const std::string start = "/" + folder + "/";

@@ -18,6 +18,18 @@ std::vector<Breach> drawers(const SourceTree& tree) {
   return found;
 }
 
+std::vector<Breach> strays_at_the_top(const SourceTree& tree) {
+  static const std::set<std::string> at_home = {"CMakeLists.txt", "CMakePresets.json", "LICENSE"};
+  std::vector<Breach> found;
+  for (const auto& [file, text] : tree) {
+    const bool in_a_folder = file.find('/') != std::string::npos;
+    if (in_a_folder || file.starts_with('.') || file.ends_with(".md") || at_home.contains(file))
+      continue;
+    found.push_back({file, 0, "nothing of this name belongs at the top"});
+  }
+  return found;
+}
+
 std::vector<Breach> machine_paths(const SourceTree& tree) {
   // Put together here, so that this file does not name one itself. A path on this machine begins
   // a word; the middle of an address, or what follows ${HOME}, is none.
