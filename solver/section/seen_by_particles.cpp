@@ -59,6 +59,45 @@ bool continues_into_neighbour(const std::vector<Layer>& layers, std::size_t laye
   return (layer > 0 && same(layer - 1)) || (layer + 1 < layers.size() && same(layer + 1));
 }
 
+/// Depths below the toe would look for the toe at every column.
+Section with_toe(Section section) {
+  const auto bank = find_crest_and_toe(section.ground);
+  if (bank && !section.toe) section.toe = bank->toe;
+  return section;
+}
+
+struct Interval {
+  double bottom = 0, top = 0;
+};
+
+/// Bottoms and tops of the layers at x, in their order, downwards.
+std::vector<Interval> intervals_at(const Section& section, double x) {
+  std::vector<Interval> intervals;
+  double top = std::max(elevation_at(section.ground, x), section.base_m);
+  for (const Layer& layer : layers_at(section, x)) {
+    const double bottom = std::min(top, layer_bottom(section, layer, x));
+    intervals.push_back({bottom, top});
+    top = bottom;
+  }
+  return intervals;
+}
+
+/// Where a material lies at x, downwards; layers of it upon one another are one body.
+std::vector<Interval> bodies_at(const Section& section, double x, const std::string& material) {
+  const std::vector<Layer>& layers = layers_at(section, x);
+  const std::vector<Interval> intervals = intervals_at(section, x);
+  std::vector<Interval> bodies;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    if (layers[i].material != material) continue;
+    if (!bodies.empty() && bodies.back().bottom == intervals[i].top) {
+      bodies.back().bottom = intervals[i].bottom;
+    } else {
+      bodies.push_back(intervals[i]);
+    }
+  }
+  return bodies;
+}
+
 }  // namespace
 
 double particle_spacing(const Resolution& resolution) {
@@ -66,11 +105,7 @@ double particle_spacing(const Resolution& resolution) {
 }
 
 std::vector<SeenLayer> seen_layers(const Section& section, const Resolution& resolution) {
-  // Depths below the toe would look for the toe at every column.
-  Section with_toe = section;
-  if (const auto bank = find_crest_and_toe(section.ground); bank && !with_toe.toe) {
-    with_toe.toe = bank->toe;
-  }
+  const Section sound = with_toe(section);
   std::vector<SeenLayer> seen;
   std::vector<std::size_t> first_of_list;
   for (std::size_t list = 0; list < layer_lists(section); ++list) {
@@ -84,12 +119,36 @@ std::vector<SeenLayer> seen_layers(const Section& section, const Resolution& res
   for (std::size_t column = 0; column < lattice.columns; ++column) {
     const double x = lattice.x(column);
     const std::size_t list = layer_list_at(section, x);
-    double top = std::max(elevation_at(section.ground, x), section.base_m);
     std::size_t i = first_of_list[list];
-    for (const Layer& layer : layers_of(section, list)) {
-      const double bottom = std::min(top, layer_bottom(with_toe, layer, x));
+    for (const auto& [bottom, top] : intervals_at(sound, x)) {
       lattice.add(seen[i++].seen, bottom, top);
-      top = bottom;
+    }
+  }
+  return seen;
+}
+
+std::vector<SeenExtreme> seen_extremes(const Section& section, const Resolution& resolution,
+                                       const std::string& material) {
+  const Strength& strength = section.materials.at(material).peak_strength;
+  std::vector<SeenExtreme> seen;
+  for (const StrengthExtreme& extreme : extremes_of(strength)) seen.push_back({extreme, {}});
+  if (seen.empty()) return seen;
+  const Section sound = with_toe(section);
+  const Lattice lattice = lattice_of(section, resolution);
+  for (std::size_t column = 0; column < lattice.columns; ++column) {
+    const double x = lattice.x(column);
+    const double ground = elevation_at(section.ground, x);
+    const auto elevations = [&](double from, double to) {
+      if (strength.by == Strength::By::elevation) return Interval{from, to};
+      return Interval{ground - to, ground - from};
+    };
+    for (const auto& [bottom, top] : bodies_at(sound, x, material)) {
+      for (auto& [extreme, of] : seen) {
+        const Interval core = elevations(extreme.core_from, extreme.core_to);
+        if (core.top <= bottom || core.bottom >= top) continue;
+        const Interval band = elevations(extreme.from, extreme.to);
+        lattice.add(of, std::max(bottom, band.bottom), std::min(top, band.top));
+      }
     }
   }
   return seen;

@@ -3,10 +3,12 @@
 // seeds): what lies between two of its rows does not exist for them, and a body thicker than that
 // counts as whole rows.
 
+#include <string>
 #include <vector>
 
 #include "solver/section/run_settings.hpp"
 #include "solver/section/section.hpp"
+#include "solver/section/strength_extremes.hpp"
 
 namespace leda {
 
@@ -37,6 +39,18 @@ struct SeenLayer {
 /// One entry a layer, list by list in their order.
 /// @pre ground, layers and resolution have no fault
 std::vector<SeenLayer> seen_layers(const Section& section, const Resolution& resolution);
+
+/// A seam or a hard band that a material's table of strength draws, and the particles in it.
+struct SeenExtreme {
+  StrengthExtreme extreme;
+  Seen seen;  ///< where the extreme itself lies within the material
+};
+
+/// One entry an extreme of the table; none of a constant strength.
+/// @param material one of the section's
+/// @pre as seen_layers; the material has no fault
+std::vector<SeenExtreme> seen_extremes(const Section& section, const Resolution& resolution,
+                                       const std::string& material);
 
 /// The ground inside a polygon.
 /// @pre as seen_layers; the polygon does not cross itself

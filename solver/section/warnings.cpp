@@ -58,6 +58,43 @@ void warn_of_thin_layers(const Section& section, const Resolution& resolution,
   }
 }
 
+std::string place_of(const StrengthExtreme& extreme, Strength::By by) {
+  return (by == Strength::By::depth ? "depths of " : "elevations of ") + rounded(extreme.from) +
+         " to " + rounded(extreme.to) + " m";
+}
+
+/// Of the seams and hard bands of a table that particles miss along too much of their length the
+/// weakest is told; a table of a sounding may have many.
+void warn_of_missed_extremes(const Section& section, const Resolution& resolution,
+                             const std::string& material, std::vector<std::string>& warnings) {
+  std::vector<SeenExtreme> missed = seen_extremes(section, resolution, material);
+  std::erase_if(missed, [](const SeenExtreme& one) {
+    return one.seen.missed_m <= most_rounding * one.seen.length_m;
+  });
+  if (missed.empty()) return;
+  const auto& [extreme, seen] = *std::ranges::min_element(
+      missed, {}, [](const SeenExtreme& one) { return one.extreme.strength_Pa; });
+  const double rows_per_cell = resolution.cell_m / particle_spacing(resolution);
+  const double cell = std::floor(seen.thickness_m() * rows_per_cell * 1000 + 1e-6) / 1000;
+  warnings.push_back(
+      "material " + material + ": peak_strength_kPa " +
+      (extreme.is_dip ? "falls to " : "rises to ") + rounded(extreme.strength_Pa / 1000) +
+      " kPa at " + place_of(extreme, section.materials.at(material).peak_strength.by) +
+      ", between two rows of particles (" + rounded(particle_spacing(resolution)) +
+      " m apart) along " + show(std::round(100 * seen.missed_m / seen.length_m)) +
+      " % of its length, where none has that strength; a cell of at most " + show(cell) +
+      " m sees it" +
+      (missed.size() > 1 ? " (and " + std::to_string(missed.size() - 1) + " more such)" : ""));
+}
+
+void warn_of_strength_tables(const Section& section, const Resolution& resolution,
+                             std::vector<std::string>& warnings) {
+  for (const auto& [name, material] : section.materials) {
+    if (material.drains) continue;  // its strength is another one
+    warn_of_missed_extremes(section, resolution, name, warnings);
+  }
+}
+
 /// A material that no layer names changes nothing: a name misspelt elsewhere, or a layer forgotten.
 void warn_of_unused_materials(const Section& section, std::vector<std::string>& warnings) {
   std::set<std::string> used;
@@ -127,6 +164,7 @@ std::vector<std::string> warnings_of(const Section& section, const RunSettings& 
   std::vector<std::string> warnings;
   warn_of_coarse_cells(section, settings.resolution.cell_m, warnings);
   warn_of_thin_layers(section, settings.resolution, warnings);
+  warn_of_strength_tables(section, settings.resolution, warnings);
   warn_of_thin_cuts(section, settings, warnings);
   warn_of_water(section, warnings);
   warn_of_unused_materials(section, warnings);

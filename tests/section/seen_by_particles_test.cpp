@@ -109,6 +109,96 @@ TEST(SeenByParticles, ASliceOfOneClayIsNoBodyOfItsOwn) {
   EXPECT_TRUE(validate(s, cells_of(1)).empty());
 }
 
+// One clay with the rows, in kPa, of a table of its strength.
+Section with_table(Strength::By by, std::vector<std::array<double, 2>> rows) {
+  Section s = test::bank();
+  s.layers = {test::layer("clay")};
+  s.materials = {{"clay", test::elastic_plastic()}};
+  Strength& strength = s.materials.at("clay").peak_strength;
+  strength.by = by;
+  strength.table = std::move(rows);
+  for (auto& [at, value] : strength.table) value *= 1000;
+  return s;
+}
+
+std::string told_of(const Section& s, double cell_m) {
+  EXPECT_TRUE(validate(s, cells_of(cell_m)).empty());
+  return text(warnings_of(s, cells_of(cell_m)));
+}
+
+TEST(StrengthExtremes, AreThoseThatDifferOnBothSides) {
+  Strength strength;
+  strength.by = Strength::By::elevation;
+  strength.table = {{0, 40}, {1, 40}, {1.5, 8}, {2, 8.5}, {2.5, 8}, {3, 40},
+                    {4, 41}, {5, 40}, {6, 80},  {7, 50},  {8, 60},  {9, 70}};
+  const auto found = extremes_of(strength);
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].strength_Pa, 8);
+  EXPECT_TRUE(found[0].is_dip);
+  EXPECT_NEAR(found[0].from, 1 + 0.5 * (40 - 8.8) / 32, 1e-12);
+  EXPECT_NEAR(found[0].to, 2.5 + 0.5 * 0.8 / 32, 1e-12);
+  EXPECT_EQ(found[0].core_from, 1.5);
+  EXPECT_EQ(found[0].core_to, 2.5);
+  EXPECT_EQ(found[1].strength_Pa, 80);
+  EXPECT_FALSE(found[1].is_dip);
+  EXPECT_EQ(found[2].strength_Pa, 50);
+}
+
+TEST(SeenByParticles, ASeamOfAStrengthTableBetweenTwoRowsIsTold) {
+  const Section s =
+      with_table(Strength::By::elevation, {{2.76, 45}, {2.77, 8}, {3.23, 8}, {3.24, 45}});
+  const std::string told = told_of(s, 1);
+  EXPECT_NE(
+      told.find("material clay: peak_strength_kPa falls to 8 kPa at elevations of 2.77 to 3.23 m, "
+                "between two rows of particles (0.5 m apart) along 100 % of its length, where "
+                "none has that strength; a cell of at most 0.92 m sees it\n"),
+      std::string::npos)
+      << told;
+  EXPECT_EQ(told_of(s, 0.92), "");
+}
+
+TEST(SeenByParticles, ASeamOfAStrengthTableAroundARowIsTakenAsItIs) {
+  EXPECT_EQ(
+      told_of(with_table(Strength::By::elevation, {{2.51, 45}, {2.52, 8}, {3.0, 8}, {3.01, 45}}),
+              1),
+      "");
+}
+
+TEST(SeenByParticles, ASeamByDepthIsToldWhereTheGroundIsLevel) {
+  const std::string told = told_of(
+      with_table(Strength::By::depth, {{10, 45}, {10.01, 8}, {10.19, 8}, {10.2, 45}, {11, 45}}), 1);
+  // Under the plateau of 40 m rows stand at depths of 0.25, 0.75, ...; under the slope at any.
+  EXPECT_NE(told.find("falls to 8 kPa at depths of 10.01 to 10.19 m, between"), std::string::npos)
+      << told;
+  EXPECT_EQ(told.find("along 100 %"), std::string::npos) << told;
+}
+
+TEST(SeenByParticles, OfManySeamsTheWeakestIsTold) {
+  const std::string told =
+      told_of(with_table(Strength::By::elevation,
+                         {{2, 45}, {3, 20}, {4, 45}, {5, 8}, {6, 45}, {7, 90}, {8, 45}}),
+              1);
+  EXPECT_NE(told.find("falls to 8 kPa at"), std::string::npos) << told;
+  EXPECT_NE(told.find("(and 3 more such)"), std::string::npos) << told;
+}
+
+TEST(SeenByParticles, ASeamOutsideTheMaterialIsNotTold) {
+  Section s = with_table(Strength::By::elevation, {{2.76, 45}, {2.77, 8}, {3.23, 8}, {3.24, 45}});
+  s.layers = {test::layer("clay"), test::layer("silt")};
+  s.layers[0].bottom_m = 4;
+  s.materials["silt"] = test::elastic_plastic();
+  EXPECT_EQ(told_of(s, 1), "");
+  s.layers[0].bottom_m = 3;  // cuts the seam
+  EXPECT_NE(told_of(s, 1), "");
+  s.layers[1].material = "clay";
+  s.materials.erase("silt");
+  EXPECT_NE(told_of(s, 1).find("at most 0.92 m"), std::string::npos);
+}
+
+TEST(SeenByParticles, StrengthThatOnlyGrowsIsNotTold) {
+  EXPECT_EQ(told_of(with_table(Strength::By::depth, {{0, 5}, {20, 60}}), 1), "");
+}
+
 TEST(SeenByParticles, AToeCutWithoutAParticleIsRefused) {
   Section s = test::bank();
   RunSettings settings = cells_of(2);
