@@ -8,6 +8,9 @@
 namespace leda {
 namespace {
 
+/// A tenth of a millimetre of water: what rounding leaves where a layer ends at the water table.
+constexpr double least_pressure_Pa = 1;
+
 // The columns and rows that solver/run/seed_particles.cpp fills.
 struct Lattice {
   double left_m, base_m, spacing_m;
@@ -166,6 +169,19 @@ Seen seen_inside(const Section& section, const Resolution& resolution, const Pol
     }
   }
   return seen;
+}
+
+bool lies_under_water(const Section& section, const Resolution& resolution,
+                      const std::string& material) {
+  const Section sound = with_toe(section);
+  const Lattice lattice = lattice_of(section, resolution);
+  for (std::size_t column = 0; column < lattice.columns; ++column) {
+    const double x = lattice.x(column);
+    for (const auto& [bottom, top] : bodies_at(sound, x, material)) {
+      if (top > bottom && pore_pressure(section, {x, bottom}) > least_pressure_Pa) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace leda

@@ -56,4 +56,10 @@ std::vector<SeenExtreme> seen_extremes(const Section& section, const Resolution&
 /// @pre as seen_layers; the polygon does not cross itself
 Seen seen_inside(const Section& section, const Resolution& resolution, const Polyline& polygon);
 
+/// Whether a material has ground below the water table, in any column of particles: between two
+/// points of the ground it may have a column or a lens of its own.
+/// @pre as seen_layers
+bool lies_under_water(const Section& section, const Resolution& resolution,
+                      const std::string& material);
+
 }  // namespace leda

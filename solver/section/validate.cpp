@@ -229,7 +229,7 @@ std::vector<Fault> validate(const Section& section, const RunSettings& settings)
   }
   if (resolution) check_cell_against_band(section, settings.resolution.cell_m, faults);
   check_run(settings, faults);
-  if (faults.none()) check_weight_under_water(section, faults);
+  if (faults.none()) check_weight_under_water(section, settings.resolution, faults);
   if (faults.none()) check_seen(section, settings, bank, faults);
   return faults.take();
 }

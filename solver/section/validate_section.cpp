@@ -252,31 +252,6 @@ void check_water_table(const Section& section, FaultList& faults) {
   }
 }
 
-namespace {
-
-bool lies_under_water(const Section& section, const std::string& material) {
-  return std::ranges::any_of(section.ground, [&](const Point& at) {
-    return std::ranges::any_of(layers_at(section, at.x), [&](const Layer& layer) {
-      if (layer.material != material) return false;
-      const Point bottom{at.x, layer_bottom(section, layer, at.x)};
-      return &layer_at(section, bottom) == &layer && pore_pressure(section, bottom) > 0;
-    });
-  });
-}
-
-}  // namespace
-
-void check_weight_under_water(const Section& section, FaultList& faults) {
-  for (const auto& [name, material] : section.materials) {
-    if (material.unit_weight > water_unit_weight) continue;
-    if (!lies_under_water(section, name)) continue;
-    faults.add("/materials/" + pointer_part(name) + "/unit_weight_kN_m3",
-               "is " + show(material.unit_weight / 1000) +
-                   " kN/m3, must be more than that of water (9.81) below the water table: the "
-                   "total weight, water included, not the submerged one");
-  }
-}
-
 std::optional<CrestAndToe> check_bank(const Section& section, FaultList& faults) {
   if (section.crest) check_on_ground(section, *section.crest, "/crest_m", faults);
   if (section.toe) check_on_ground(section, *section.toe, "/toe_m", faults);

@@ -26,10 +26,6 @@ void check_soil(const Section& section, bool ground_is_sound, FaultList& faults)
 /// @pre check_ground
 void check_water_table(const Section& section, FaultList& faults);
 
-/// Materials that would float where the water table stands in them.
-/// @pre check_ground, and the layers and the water table have no fault
-void check_weight_under_water(const Section& section, FaultList& faults);
-
 /// A crest or toe given by hand lies on the ground; a section without them has a bank.
 /// @return the bank in use, where there is one
 /// @pre check_ground

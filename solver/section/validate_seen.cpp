@@ -60,4 +60,16 @@ void check_seen(const Section& section, const RunSettings& settings,
                                  "lies in front of it to be cut"));
 }
 
+void check_weight_under_water(const Section& section, const Resolution& resolution,
+                              FaultList& faults) {
+  for (const auto& [name, material] : section.materials) {
+    if (material.unit_weight > water_unit_weight) continue;
+    if (!lies_under_water(section, resolution, name)) continue;
+    faults.add("/materials/" + pointer_part(name) + "/unit_weight_kN_m3",
+               "is " + show(material.unit_weight / 1000) +
+                   " kN/m3, must be more than that of water (9.81) below the water table: the "
+                   "total weight, water included, not the submerged one");
+  }
+}
+
 }  // namespace leda

@@ -13,4 +13,9 @@ namespace leda {
 void check_seen(const Section& section, const RunSettings& settings,
                 const std::optional<CrestAndToe>& bank, FaultList& faults);
 
+/// Materials that would float where the water table stands in them.
+/// @pre the section and the resolution have no fault
+void check_weight_under_water(const Section& section, const Resolution& resolution,
+                              FaultList& faults);
+
 }  // namespace leda

@@ -127,6 +127,28 @@ TEST(OddSection, GroundLighterThanWaterIsRefusedWhereItIsWet) {
   EXPECT_TRUE(validate(s, {}).empty());
 }
 
+TEST(OddSection, AColumnOrALensBetweenTwoGroundPointsIsLookedAt) {
+  Section s = test::bank();
+  s.ground = {{0, 20}, {80, 20}, {110, 5}, {140, 5}};
+  s.materials["peat"] = s.materials.at("crust");
+  s.materials.at("peat").unit_weight = 9e3;
+  const auto floats = [&] {
+    const auto faults = validate(s, {});
+    return faults.size() == 1 && faults[0].pointer == "/materials/peat/unit_weight_kN_m3";
+  };
+  Section with_lens = s;
+  s.columns = {{0, 40, s.layers}, {40, 60, {test::layer("peat")}}, {60, 140, s.layers}};
+  s.layers.clear();
+  EXPECT_TRUE(floats());
+  s.water_table->depth_m = 25;
+  EXPECT_TRUE(validate(s, {}).empty());
+  s = with_lens;
+  s.layers = {test::layer("clay"), test::layer("peat"), test::layer("clay")};
+  s.layers[0].bottom = {{0, 12}, {140, 12}};
+  s.layers[1].bottom = {{0, 12}, {40, 12}, {50, 9}, {60, 12}, {140, 12}};
+  EXPECT_TRUE(floats());
+}
+
 TEST(OddSection, ScalesOfFluctuationBeyondCellsAndSectionAreTold) {
   Section s = test::bank();
   RunSettings settings;
