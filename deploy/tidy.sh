@@ -10,4 +10,4 @@ deploy/install.sh --develop
 cmake --preset release >/dev/null
 run-clang-tidy -quiet -p build/release -j "${JOBS:-$(nproc)}" \
   -extra-arg=-Wno-unknown-warning-option \
-  "^$PWD/(solver|profiles|db|server|deploy|tests)/.*${1:-}"
+  "^$PWD/(?!build/).*${1:-}"
