@@ -204,10 +204,7 @@ void Store::set_screening(std::int64_t section, const std::string& screening) {
 bool Store::set_section_state(std::int64_t section, SectionState state, const std::string& reason) {
   return connection_->write([&](Database& database) {
     const SectionState now = state_of_section(database, section);
-    if (now == SectionState::finished) return false;
-    if (now == SectionState::dismissed && state != SectionState::waiting &&
-        state != SectionState::dismissed)
-      return false;
+    if (now == SectionState::finished || now == SectionState::dismissed) return false;
     if (state == SectionState::finished)
       throw StoreError("a section is finished by its result (take_in), not by a word");
     if (state != SectionState::running)

@@ -117,8 +117,8 @@ class Store {
   /// dismissed; StoreConflict where the run's id stands already.
   bool start_run(std::int64_t section, const std::string& run);
   /// Closes the try under way (back to waiting with a reason: it failed; without: it was cut off).
-  /// A finished section keeps its result and its state, a dismissed one
-  /// stays so until it is set to waiting: false where that kept it.
+  /// A finished section keeps its result and its state, and a dismissed one stays dismissed: false
+  /// where that kept it.
   bool set_section_state(std::int64_t section, SectionState state, const std::string& reason);
   std::vector<RunRecord> runs(std::int64_t section) const;  ///< every try, first to last
   /// Remembers what screening said of a section, JSON.

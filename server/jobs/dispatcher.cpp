@@ -1,11 +1,10 @@
+// The dispatcher's thread: what reaches it from handlers, and the order of its turns.
+
 #include "server/jobs/dispatcher.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
-#include "disk/whole_file.hpp"
 #include "server/operate/logging.hpp"
-#include "server/operate/problem.hpp"
 #include "server/run/run_checkpoint.hpp"
 
 namespace leda::server {
@@ -15,33 +14,9 @@ using db::SectionState;
 
 namespace {
 
-constexpr int most_starts_a_turn = 50;
 constexpr std::chrono::milliseconds between_turns{50};
 constexpr std::chrono::milliseconds after_failure{1000};
 constexpr std::chrono::milliseconds to_wind_down{3500};
-constexpr std::chrono::milliseconds shortest_pause_for_space{1000};
-constexpr std::chrono::milliseconds longest_pause_for_space{60'000};
-
-/// A folder that no earlier try has used, not even one that died before it was stored.
-std::string new_folder(const DataFolder& data, const std::string& job,
-                       const db::SectionRecord& section) {
-  for (int number = section.attempts + 1;; ++number) {
-    std::string run = job + "-" + std::to_string(section.ordinal) + "-" + std::to_string(number);
-    if (std::filesystem::create_directory(data.run(run))) return run;
-  }
-}
-
-/// What a try that was cut off reached is not lost for the next one.
-void hand_over(const DataFolder& data, const std::string& job, const std::string& from,
-               const std::string& to) {
-  try {
-    hand_over_checkpoint(data.run(from), data.run(to));
-  } catch (const std::exception& error) {
-    if (disk::tells_of_full_disk(error)) throw;
-    remove_checkpoint(data.run(to));
-    log_warning(job, "no checkpoint is handed over run={} reason={}", to, in_quotes(error.what()));
-  }
-}
 
 }  // namespace
 
@@ -83,21 +58,13 @@ std::chrono::steady_clock::duration Dispatcher::since_last_turn() const {
 }
 
 void Dispatcher::dismiss(const std::string& job) {
-  {
-    const std::lock_guard inbox(inbox_mutex_);
-    std::erase(to_take_up_, job);
-  }
-  const std::lock_guard lock(mutex_);
   store_.dismiss_job(job);
-  const auto found = jobs_.find(job);
-  if (found != jobs_.end()) {
-    for (const auto& [run, of] : runs_) {
-      if (of.job == job) executor_->cancel(run);
-    }
-    std::erase_if(runs_, [&](const auto& entry) { return entry.second.job == job; });
-    jobs_.erase(found);
-    running_ = runs_.size();
+  {
+    const std::lock_guard lock(inbox_mutex_);
+    std::erase(to_take_up_, job);
+    to_let_go_.push_back(job);
   }
+  wake_.notify_all();
   log_info(job, "dismissed");
 }
 
@@ -112,40 +79,48 @@ void Dispatcher::work() {
       pause = after_failure;
     }
     std::unique_lock inbox(inbox_mutex_);
-    wake_.wait_for(inbox, pause, [this] { return stop_ || !to_take_up_.empty(); });
+    wake_.wait_for(inbox, pause,
+                   [this] { return stop_ || !to_take_up_.empty() || !to_let_go_.empty(); });
     stopped = stop_;
   }
-  const std::lock_guard lock(mutex_);
   if (executor_) wind_down();
   executor_.reset();
 }
 
 void Dispatcher::turn() {
-  {
-    const std::lock_guard lock(mutex_);
-    if (!executor_) executor_ = make_executor_();
-  }
+  if (!executor_) executor_ = make_executor_();
   take_up_new_jobs();
   settle_ended_runs();
-  const auto fractions = read_fractions();
-  {
-    const std::lock_guard lock(mutex_);
-    // A limit, because screening may finish thousands of sections without ever filling a slot, and
-    // the jobs of others wait for the lock meanwhile.
-    for (int i = 0; i < most_starts_a_turn && executor_->free_slots() > 0 &&
-                    std::chrono::steady_clock::now() >= no_start_before_ && start_next();
-         ++i) {
-    }
-    running_ = runs_.size();
-    book_started_jobs();
-    if (fractions) report_progress(*fractions);
-  }
+  start_runs();
+  book_started_jobs();
+  report_progress();
   finish_done_jobs();
+}
+
+/// What is dismissed while a turn goes on costs no more than the step it is in. The store has kept
+/// what came in between from such a job already.
+void Dispatcher::let_go_dismissed_jobs() {
+  std::vector<std::string> dismissed;
+  {
+    const std::lock_guard inbox(inbox_mutex_);
+    dismissed.swap(to_let_go_);
+  }
+  for (const auto& job : dismissed) let_go(job);
+}
+
+void Dispatcher::let_go(const std::string& job) {
+  if (jobs_.erase(job) == 0) return;
+  for (const auto& [run, of] : runs_) {
+    if (of.job == job) executor_->cancel(run);
+  }
+  std::erase_if(runs_, [&](const auto& entry) { return entry.second.job == job; });
+  running_ = runs_.size();
 }
 
 /// A job leaves the inbox when it was taken up: where the store fails it is tried again.
 void Dispatcher::take_up_new_jobs() {
   for (;;) {
+    let_go_dismissed_jobs();
     std::string id;
     {
       const std::lock_guard inbox(inbox_mutex_);
@@ -161,11 +136,7 @@ void Dispatcher::take_up_new_jobs() {
 void Dispatcher::take_up(const std::string& id) {
   auto job = open(id);
   if (!job) return;
-  const auto left = left_running(*job);
-  const std::lock_guard lock(mutex_);
-  const auto now = store_.job(id);
-  if (!now || now->state == JobState::dismissed) return;
-  recover(*job, left);
+  recover(*job);
   log_info(id, "taken up sections={} waiting={}", job->sections.size(),
            job->sections.counts().of(SectionState::waiting));
   jobs_[id] = std::move(*job);
@@ -173,12 +144,9 @@ void Dispatcher::take_up(const std::string& id) {
 
 /// Nothing where the job is finished or known already, or cannot be understood.
 std::optional<Dispatcher::OpenJob> Dispatcher::open(const std::string& id) {
+  if (jobs_.contains(id)) return std::nullopt;
   auto record = store_.job(id);
   if (!record || db::is_final(record->state)) return std::nullopt;
-  {
-    const std::lock_guard lock(mutex_);
-    if (jobs_.contains(id)) return std::nullopt;
-  }
   OpenJob job;
   try {
     const Process* process = find_process(record->process);
@@ -203,77 +171,6 @@ std::optional<Dispatcher::OpenJob> Dispatcher::open(const std::string& id) {
   return job;
 }
 
-/// The job with the fewest runs comes first, so that a small one need not wait for a large one.
-bool Dispatcher::start_next() {
-  OpenJob* next = nullptr;
-  for (auto& [id, job] : jobs_) {
-    const auto waiting = job.sections.first_waiting();
-    if (!waiting || job.sections.any_running(job.work->begins_after(*waiting))) continue;
-    const bool sooner = next == nullptr || job.running < next->running ||
-                        (job.running == next->running && job.record.created < next->record.created);
-    if (sooner) next = &job;
-  }
-  if (next == nullptr) return false;
-  const std::size_t index = next->sections.first_waiting().value();
-  auto section = store_.section(next->sections.id(index)).value();
-  if (!screened_out(*next, index, section)) start_run(*next, index, section);
-  return true;
-}
-
-/// True where a section needs no run: others say enough without it, or screening, where it was not
-/// screened yet, finds it stable.
-bool Dispatcher::screened_out(OpenJob& job, std::size_t index, db::SectionRecord& section) {
-  if (const auto reason = job.work->not_needed(section); !reason.empty()) {
-    set_state(job, index, SectionState::left_out, reason);
-    return true;
-  }
-  if (!section.screening.empty()) return false;
-  const auto screened = job.work->screen(section);
-  if (!screened) return false;
-  if (!section.member) store_.set_screening(section.id, screened->document);
-  section.screening = screened->document;
-  if (!screened->skip) return false;
-  set_state(job, index, SectionState::stable, "not simulated: " + screened->reason);
-  return true;
-}
-
-/// A folder with all that a worker needs, booked in the store.
-std::string Dispatcher::new_run(const OpenJob& job, const db::SectionRecord& section) {
-  std::string run = new_folder(data_, job.record.id, section);
-  try {
-    disk::write_durably(data_.run(run) / "case.json", job.work->case_file(section));
-    if (!section.run.empty()) hand_over(data_, job.record.id, section.run, run);
-    store_.start_run(section.id, run);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove_all(data_.run(run), ignored);
-    throw;
-  }
-  return run;
-}
-
-void Dispatcher::start_run(OpenJob& job, std::size_t index, db::SectionRecord& section) {
-  const std::string id = job.record.id, before = section.run;
-  try {
-    section.run = new_run(job, section);
-  } catch (const db::StoreError&) {
-    throw;
-  } catch (const std::exception& error) {
-    if (disk::tells_of_full_disk(error)) return wait_for_space();
-    log_error(id, "run cannot be started section={} reason={}", in_quotes(section.name),
-              in_quotes(error.what()));
-    set_state(job, index, SectionState::failed,
-              data_.without_root(std::string("the run cannot be started: ") + error.what()));
-    return;
-  }
-  if (!before.empty()) remove_checkpoint_of(before);
-  job.sections.set_state(index, SectionState::running);
-  runs_[section.run] = {id, index};
-  ++job.running;
-  executor_->submit({section.run, data_.run(section.run)});
-  log_info(id, "run started section={} run={}", in_quotes(section.name), section.run);
-}
-
 void Dispatcher::book_started_jobs() {
   for (auto& [id, job] : jobs_) {
     if (job.record.state != JobState::accepted || job.running == 0) continue;
@@ -291,14 +188,6 @@ void Dispatcher::remove_checkpoint_of(const std::string& run) {
   }
 }
 
-/// Runs that found no space are no failures: they wait, and go on from their checkpoints.
-void Dispatcher::wait_for_space() {
-  pause_for_space_ =
-      std::clamp(2 * pause_for_space_, shortest_pause_for_space, longest_pause_for_space);
-  no_start_before_ = std::chrono::steady_clock::now() + pause_for_space_;
-  log_error("-", "the disk is full: no run is started for {} s", pause_for_space_.count() / 1000);
-}
-
 /// Workers are asked to end; what has a result by then is taken in. Runs of a cluster go on and
 /// are adopted at the next start.
 void Dispatcher::wind_down() {
@@ -310,9 +199,7 @@ void Dispatcher::wind_down() {
       const auto run = runs_.find(end.run);
       if (run == runs_.end()) continue;
       try {
-        if (end.how == RunEnd::How::exited && end.exit_code == 0) {
-          settle({end, read_outcome(data_.run(end.run))});
-        }
+        if (end.how == RunEnd::How::exited && end.exit_code == 0) settle(end);
       } catch (const std::exception& error) {
         log_error("-", "result left for the next start run={} reason={}", end.run,
                   in_quotes(error.what()));

@@ -51,7 +51,7 @@ class Dispatcher {
   void start();
   /// A job was committed to the store, or put back by retry.
   void add(const std::string& job);
-  /// Ends a job that is not finished; its runs are killed.
+  /// Ends a job: at once in the store, and its runs as soon as the dispatcher's thread gets to it.
   void dismiss(const std::string& job);
   /// Runs going on now.
   std::size_t running() const;
@@ -71,17 +71,6 @@ class Dispatcher {
     std::size_t section = 0;  ///< index in the job's sections
   };
 
-  /// A run that ended, and what it left: read without the lock.
-  struct Ended {
-    RunEnd end;
-    std::optional<Outcome> outcome;
-  };
-  /// A run that was going on when the server before this one ended.
-  struct Left {
-    std::size_t section = 0;
-    std::string run;
-    Outcome outcome;
-  };
   using Fractions = std::map<std::string, double>;  ///< by job: running sections, as far as done
 
   void work();
@@ -90,22 +79,24 @@ class Dispatcher {
   bool screened_out(OpenJob& job, std::size_t index, db::SectionRecord& section);
   void take_up(const std::string& id);
   std::optional<OpenJob> open(const std::string& id);
-  std::vector<Left> left_running(const OpenJob& job) const;
-  void recover(OpenJob& job, const std::vector<Left>& left);
+  void let_go_dismissed_jobs();
+  void let_go(const std::string& job);
+  void recover(OpenJob& job);
   void settle_ended_runs();
-  void settle(const Ended& ended);
+  void settle(const RunEnd& end);
   void take_in(OpenJob& job, std::size_t index, const std::string& run, const Outcome& outcome);
-  void gave_no_result(OpenJob& job, std::size_t index, const Ended& ended);
+  void gave_no_result(OpenJob& job, std::size_t index, const RunEnd& end, const Outcome& outcome);
+  void start_runs();
   bool start_next();
   void start_run(OpenJob& job, std::size_t index, db::SectionRecord& section);
-  std::string new_run(const OpenJob& job, const db::SectionRecord& section);
+  std::optional<std::string> new_run(const OpenJob& job, const db::SectionRecord& section);
   void wait_for_space();
   void remove_checkpoint_of(const std::string& run);
   void book_started_jobs();
   std::optional<Fractions> read_fractions();
-  void report_progress(const Fractions& fractions);
+  void report_progress();
   void finish_done_jobs();
-  void finish(const std::string& id, const Work& work);
+  void finish(const OpenJob& job);
   void wind_down();
   void set_state(OpenJob& job, std::size_t index, db::SectionState state,
                  const std::string& reason);
@@ -118,16 +109,14 @@ class Dispatcher {
 
   std::atomic<std::size_t> running_{0};
 
-  std::mutex inbox_mutex_;  ///< guards these three; never held for long
+  std::mutex inbox_mutex_;  ///< guards these four; never held for long
   std::condition_variable wake_;
   std::deque<std::string> to_take_up_;
+  std::vector<std::string> to_let_go_;  ///< dismissed jobs
   bool stop_ = false;
 
-  std::deque<Ended> ended_;  ///< not settled yet; of the dispatcher's thread alone
-
-  /// Guards everything below. What takes long on a disk is done without it: a handler that
-  /// dismisses a job waits for it.
-  std::mutex mutex_;
+  // All below is of the dispatcher's thread alone, so that no handler waits for what it does.
+  std::deque<RunEnd> ended_;  ///< not settled yet
   std::unique_ptr<Executor> executor_;
   std::map<std::string, OpenJob> jobs_;
   std::map<std::string, Run> runs_;

@@ -26,23 +26,15 @@ void remove_fields(const std::filesystem::path& run) {
 
 }  // namespace
 
-std::vector<Dispatcher::Left> Dispatcher::left_running(const OpenJob& job) const {
-  std::vector<Left> left;
+/// Runs that ended while nobody watched are taken in, those that still go are adopted, and those
+/// that were cut off start anew.
+void Dispatcher::recover(OpenJob& job) {
+  const std::string& id = job.record.id;
+  int restarted = 0, adopted = 0;
   for (std::size_t index = 0; index < job.sections.size(); ++index) {
     if (job.sections.state(index) != SectionState::running) continue;
     const std::string run = store_.section(job.sections.id(index)).value().run;
-    left.push_back({index, run, read_outcome(data_.run(run))});
-  }
-  return left;
-}
-
-/// Runs that ended while nobody watched are taken in, those that still go are adopted, and those
-/// that were cut off start anew.
-void Dispatcher::recover(OpenJob& job, const std::vector<Left>& left) {
-  const std::string& id = job.record.id;
-  int restarted = 0, adopted = 0;
-  for (const auto& [index, run, outcome] : left) {
-    if (outcome.result) {
+    if (const auto outcome = read_outcome(data_.run(run)); outcome.result) {
       take_in(job, index, run, outcome);
     } else if (executor_->adopt({run, data_.run(run)})) {
       runs_[run] = {id, index};
@@ -60,40 +52,35 @@ void Dispatcher::recover(OpenJob& job, const std::vector<Left>& left) {
 
 /// An end stays here until it is settled: where the store fails it is tried again.
 void Dispatcher::settle_ended_runs() {
-  {
-    const std::lock_guard lock(mutex_);
-    for (auto& end : executor_->poll()) ended_.push_back({std::move(end), std::nullopt});
-  }
+  for (auto& end : executor_->poll()) ended_.push_back(std::move(end));
   while (!ended_.empty()) {
-    Ended& ended = ended_.front();
-    if (!ended.outcome) ended.outcome = read_outcome(data_.run(ended.end.run));
-    const std::lock_guard lock(mutex_);
-    settle(ended);
+    let_go_dismissed_jobs();
+    settle(ended_.front());
     ended_.pop_front();
   }
 }
 
-void Dispatcher::settle(const Ended& ended) {
-  const auto run = runs_.find(ended.end.run);
+void Dispatcher::settle(const RunEnd& end) {
+  const auto run = runs_.find(end.run);
   if (run == runs_.end()) return;  // of a job that was dismissed
   OpenJob& job = jobs_.at(run->second.job);
-  const bool by_itself = ended.end.how == RunEnd::How::exited;
-  const int code = ended.end.exit_code;
-  if (by_itself && (code == 0 || code == 3) && ended.outcome->result) {
-    take_in(job, run->second.section, ended.end.run, *ended.outcome);
+  const Outcome outcome = read_outcome(data_.run(end.run));
+  const bool by_itself = end.how == RunEnd::How::exited;
+  if (by_itself && (end.exit_code == 0 || end.exit_code == 3) && outcome.result) {
+    take_in(job, run->second.section, end.run, outcome);
     pause_for_space_ = {};
   } else {
-    gave_no_result(job, run->second.section, ended);
+    gave_no_result(job, run->second.section, end, outcome);
   }
   --job.running;
   runs_.erase(run);
 }
 
 /// The section waits for another try, or has had the last one.
-void Dispatcher::gave_no_result(OpenJob& job, std::size_t index, const Ended& ended) {
-  const RunEnd& end = ended.end;
+void Dispatcher::gave_no_result(OpenJob& job, std::size_t index, const RunEnd& end,
+                                const Outcome& outcome) {
   const auto code = end.how == RunEnd::How::exited ? ExitCode(end.exit_code) : ExitCode::failure;
-  std::string reason = end.reason.empty() ? ended.outcome->fault : end.reason;
+  std::string reason = end.reason.empty() ? outcome.fault : end.reason;
   if (code == ExitCode::out_of_memory) reason = "memory";
   if (code == ExitCode::disk_full) reason = "the disk is full";
   if (const auto words = last_words(data_.run(end.run)); !words.empty()) reason += ": " + words;
@@ -142,27 +129,24 @@ void Dispatcher::take_in(OpenJob& job, std::size_t index, const std::string& run
 
 /// Nothing where it is too soon to tell again.
 std::optional<Dispatcher::Fractions> Dispatcher::read_fractions() {
-  std::map<std::string, Run> runs;
-  {
-    const std::lock_guard lock(mutex_);
-    const auto now = std::chrono::steady_clock::now();
-    const auto between = std::max(shortest_between_reports,
-                                  between_reports_for_each_run * static_cast<int>(runs_.size()));
-    if (now - progress_told_ < between) return std::nullopt;
-    progress_told_ = now;
-    runs = runs_;
-  }
+  const auto now = std::chrono::steady_clock::now();
+  const auto between = std::max(shortest_between_reports,
+                                between_reports_for_each_run * static_cast<int>(runs_.size()));
+  if (now - progress_told_ < between) return std::nullopt;
+  progress_told_ = now;
   Fractions fractions;
-  for (const auto& [run, of] : runs) fractions[of.job] += read_fraction(data_.run(run));
+  for (const auto& [run, of] : runs_) fractions[of.job] += read_fraction(data_.run(run));
   return fractions;
 }
 
-void Dispatcher::report_progress(const Fractions& fractions) {
+void Dispatcher::report_progress() {
+  const auto fractions = read_fractions();
+  if (!fractions) return;
   for (auto& [id, job] : jobs_) {
     if (job.record.state != JobState::running) continue;
-    const auto known = fractions.find(id);
+    const auto known = fractions->find(id);
     const int percent =
-        progress_percent(job.sections.counts(), known == fractions.end() ? 0 : known->second);
+        progress_percent(job.sections.counts(), known == fractions->end() ? 0 : known->second);
     const std::string message = progress_message(job.sections.counts());
     if (percent == job.record.progress && message == job.record.message) continue;
     store_.set_job_progress(id, percent, message);
@@ -172,44 +156,40 @@ void Dispatcher::report_progress(const Fractions& fractions) {
 }
 
 void Dispatcher::finish_done_jobs() {
-  std::vector<std::pair<std::string, std::shared_ptr<Work>>> done;
-  {
-    const std::lock_guard lock(mutex_);
-    for (const auto& [id, job] : jobs_) {
-      if (job.running == 0 && job.sections.counts().of(SectionState::waiting) == 0) {
-        done.emplace_back(id, job.work);
-      }
-    }
+  std::vector<std::string> done;
+  for (const auto& [id, job] : jobs_) {
+    if (job.running == 0 && job.sections.counts().of(SectionState::waiting) == 0)
+      done.push_back(id);
   }
-  for (const auto& [id, work] : done) finish(id, *work);
+  for (const auto& id : done) {
+    let_go_dismissed_jobs();
+    if (const auto job = jobs_.find(id); job != jobs_.end()) finish(job->second);
+  }
 }
 
-/// Zones are made without the lock; the job may be dismissed meanwhile.
-void Dispatcher::finish(const std::string& id, const Work& work) {
+void Dispatcher::finish(const OpenJob& job) {
+  const std::string id = job.record.id;
   std::vector<Zone> zones;
   std::string fault;
   try {
-    zones = work.zones(store_.sections(id));
+    zones = job.work->zones(store_.sections(id));
   } catch (const db::StoreError&) {
     throw;
   } catch (const std::exception& error) {
     fault = std::string("the zones could not be made: ") + error.what();
   }
-  const std::lock_guard lock(mutex_);
-  const auto found = jobs_.find(id);
-  if (found == jobs_.end()) return;
-  const JobCounts& counts = found->second.sections.counts();
+  const JobCounts& counts = job.sections.counts();
   const bool all_failed = counts.of(SectionState::failed) > 0 &&
                           counts.of(SectionState::finished) + counts.of(SectionState::stable) == 0;
   const JobState state = all_failed || !fault.empty() ? JobState::failed : JobState::successful;
   const std::string message = fault.empty() ? final_message(counts) : fault;
   if (fault.empty()) {
     store_.set_zones(id, zones);
-    keep_boxes(store_, found->second.record);
+    keep_boxes(store_, job.record);
   }
   if (state == JobState::successful) store_.set_job_progress(id, 100, message);
   store_.set_job_state(id, state, message);
-  jobs_.erase(found);
+  jobs_.erase(id);
   log_info(id, "finished status={} message={}", db::to_string(state), in_quotes(message));
 }
 

@@ -190,14 +190,15 @@ TEST_F(SectionStore, ScreeningIsKeptWithTheSection) {
   EXPECT_EQ(first().screening, R"({"decision":"stable"})");
 }
 
-TEST_F(SectionStore, ADismissedSectionStaysSoUntilItWaitsAgain) {
+TEST_F(SectionStore, ADismissedSectionStaysSo) {
   store.set_section_state(first().id, SectionState::dismissed, "by the user");
   EXPECT_FALSE(store.start_run(first().id, "run-1"));
-  EXPECT_FALSE(store.set_section_state(first().id, SectionState::failed, "late"));
+  for (const SectionState late :
+       {SectionState::failed, SectionState::waiting, SectionState::stable, SectionState::left_out})
+    EXPECT_FALSE(store.set_section_state(first().id, late, "late"));
   EXPECT_EQ(first().state, SectionState::dismissed);
+  EXPECT_EQ(first().reason, "by the user");
   EXPECT_EQ(first().attempts, 0);
-  EXPECT_TRUE(store.set_section_state(first().id, SectionState::waiting, ""));
-  EXPECT_TRUE(store.start_run(first().id, "run-1"));
 }
 
 TEST_F(SectionStore, AFinishedSectionKeepsItsStateAndOnlyAResultFinishes) {

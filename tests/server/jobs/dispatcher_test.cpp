@@ -363,7 +363,46 @@ TEST_F(DispatcherTest, ADismissedJobEndsItsRuns) {
   running->dismiss("job");
   EXPECT_EQ(store.job("job")->state, JobState::dismissed);
   EXPECT_EQ(section().state, SectionState::dismissed);
+  wait([&](const db::JobRecord&) { return running->running() == 0; });
   EXPECT_EQ(running->running(), 0U);
+}
+
+TEST_F(DispatcherTest, ADismissalDoesNotWaitForWhatTheDispatcherDoes) {
+  add_job();
+  std::promise<void> starting, go_on;
+  const auto running = dispatcher([&](const RunOrder&) {
+    starting.set_value();
+    go_on.get_future().wait();
+    return std::nullopt;
+  });
+  starting.get_future().wait();
+  auto dismissal = std::async([&] { running->dismiss("job"); });
+  EXPECT_EQ(dismissal.wait_for(10s), std::future_status::ready);
+  EXPECT_EQ(section().state, SectionState::dismissed);
+  go_on.set_value();
+  wait([&](const db::JobRecord&) { return running->running() == 0; });
+  EXPECT_EQ(running->running(), 0U);
+  EXPECT_EQ(store.runs(section().id).front().outcome, "dismissed");
+}
+
+TEST_F(DispatcherTest, WhatIsDismissedBeforeItsTurnIsNotStarted) {
+  for (const std::string id : {"first", "second", "third"}) add_job(id);
+  std::promise<void> starting, go_on;
+  const auto running = dispatcher([&](const RunOrder&) {
+    if (submitted == 1) {
+      starting.set_value();
+      go_on.get_future().wait();
+    }
+    return std::nullopt;
+  });
+  starting.get_future().wait();
+  store.dismiss_job("second");  // as a handler does it before it tells the dispatcher
+  go_on.set_value();
+  wait([](const db::JobRecord& job) { return job.state == JobState::running; }, "third");
+  EXPECT_EQ(submitted, 2);
+  EXPECT_EQ(section("second").state, SectionState::dismissed);
+  EXPECT_EQ(section("second").attempts, 0);
+  EXPECT_FALSE(std::filesystem::exists(data.run("second-0-1")));
 }
 
 TEST_F(DispatcherTest, SmallJobsDoNotWaitForLargeOnes) {
