@@ -78,6 +78,7 @@ struct OddLaw {
   const Oddities& odd;
 
   void operator()(const UrmiSoftening& law) const {
+    remolded_strength(law.remolded_strength_Pa);
     odd.outside("softening/alpha", law.alpha, 0.5, 3, "the laboratory gives 0.9 to 1.6");
     odd.outside("softening/beta", law.beta, 0.3, 1000,
                 "the laboratory gives 2 to 6 per unit strain, not per percent");
@@ -86,23 +87,63 @@ struct OddLaw {
     if (law.remolded_strain) remolded_strain(*law.remolded_strain);
   }
   void operator()(const EinavRandolphSoftening& law) const {
+    remolded_strength(law.remolded_strength_Pa);
     odd.outside("softening/strain_95", law.strain_95, 0.01, 50,
                 "10 to 50 and less is known, as a fraction");
   }
   void operator()(const ExponentialSoftening& law) const {
+    remolded_strength(law.remolded_strength_Pa);
     odd.outside("softening/shape_factor", law.shape_factor, 0.3, 1000,
                 "20 to 90 per unit strain is known, not per percent");
   }
-  void operator()(const LinearSoftening& law) const { remolded_strain(law.remolded_strain); }
+  void operator()(const LinearSoftening& law) const {
+    remolded_strength(law.remolded_strength_Pa);
+    remolded_strain(law.remolded_strain);
+  }
   void operator()(const DeySoftening& law) const {
+    remolded_strength(law.large_strain_strength_Pa, "softening/large_strain_strength_kPa");
     odd.outside("softening/strain_95", law.strain_95, 0.01, 50,
                 "10 to 50 and less is known, as a fraction");
+  }
+  /// Thesis Tables 3-1 and 3-3: 0.07 to 3 kPa.
+  void remolded_strength(double pascal, const char* key = "softening/remolded_strength_kPa") const {
+    odd.outside(key, pascal / kilo, 0.05, 20,
+                "sensitive clays have 0.07 to 3 kPa; is it in another unit?");
   }
   void remolded_strain(double strain) const {
     odd.outside("softening/remolded_strain", strain, 0, 100,
                 "the laboratory gives 2 to 30, as a fraction");
   }
 };
+
+/// What the strength above the remolded one was measured at: 1.4e-5 1/s in direct simple shear,
+/// 1e-3 to 1e-2 under a field vane; laws of the additive power have about 1 (Shan 2021).
+void look_at_rate(const RateLaw& law, const Oddities& odd) {
+  const double most = std::holds_alternative<AdditivePowerRate>(law) ? 2 : 0.1;
+  const double rate = std::visit([](const auto& one) { return one.reference_rate; }, law);
+  odd.outside("rate/reference_rate_per_s", rate, 1e-8, most,
+              "direct simple shear has 1.4e-5 1/s (5 %/h) and the field vane 0.001 to 0.01; is it "
+              "in %/h or 1/h?");
+}
+
+/// The remolded strength is measured fast: by vane, or by fall cone at about 1 1/s and more.
+void look_at_remolded_rate(const RateLaw& law, const Oddities& odd) {
+  const double rate = std::visit([](const auto& one) { return one.reference_rate; }, law);
+  odd.outside("rate/remolded/reference_rate_per_s", rate, 1e-6, 100,
+              "the vane has 0.001 to 0.01 1/s and the fall cone about 1");
+}
+
+/// Remolded clays have 0.007 to 0.2 Pa s in the laboratory (Locat and Demers 1988); slides were
+/// fitted with 100 to 500.
+void look_at_flow(const FlowLaw& law, const Oddities& odd) {
+  if (const auto* bingham = std::get_if<BinghamFlow>(&law)) {
+    odd.outside("flow/viscosity_Pa_s", bingham->viscosity_Pa_s, 0.005, 2000,
+                "remolded clays have 0.007 to 0.2 Pa s, and slides were fitted with 100 to 500");
+  } else {
+    odd.outside("flow/consistency_Pa_sn", std::get<HerschelBulkleyFlow>(law).consistency_Pa_sn,
+                0.005, 5000, "remolded clays flow with less, and slides were fitted with less");
+  }
+}
 
 void look_at(const Material& m, const Oddities& odd) {
   odd.outside("unit_weight_kN_m3", m.unit_weight / kilo, 12, 27,
@@ -113,6 +154,9 @@ void look_at(const Material& m, const Oddities& odd) {
   } else if (m.k0 > 3) {
     odd.add("k0", m.k0, "the most overconsolidated clays have about 3");
   }
+  if (m.rate) look_at_rate(*m.rate, odd);
+  if (m.remolded_rate) look_at_remolded_rate(*m.remolded_rate, odd);
+  if (m.flow) look_at_flow(*m.flow, odd);
   if (!m.softening) return;
   std::visit(OddLaw{odd}, m.softening->law);
   odd.outside("softening/reference_size_m", m.softening->reference_size_m, 0.005, 0.3,

@@ -7,7 +7,8 @@
 
 namespace leda {
 
-/// K0 against the passive ratio, the friction angle, strength and stiffness.
+/// K0 against the passive ratio, the friction angle, strength and stiffness, remolded strength,
+/// rates and viscosities.
 void check_possible(const Material& m, const std::string& at, FaultList& faults);
 
 }  // namespace leda

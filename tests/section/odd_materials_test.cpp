@@ -110,6 +110,54 @@ const Mistake mistakes[] = {
        m.k0 = 0.2;
      },
      "", "less than the active ratio of its drained strength (0.33)"},
+    {"remolded_in_MPa", [](Material& m) { urmi(m).remolded_strength_Pa = 0.5; },
+     "/m/S/softening/remolded_strength_kPa", "0.07 to 3 kPa"},
+    {"remolded_of_the_most_liquid_clay", [](Material& m) { urmi(m).remolded_strength_Pa = 5; }, "",
+     "0.07 to 3 kPa"},
+    {"remolded_of_saint_thuribe", [](Material& m) { urmi(m).remolded_strength_Pa = 70; }, "", ""},
+    {"large_strain_strength_in_MPa",
+     [](Material& m) {
+       m.softening->law = DeySoftening{1e3, 0.1, 2, 0.5};
+     },
+     "/m/S/softening/large_strain_strength_kPa", "softening/large_strain_strength_kPa is 0.0005"},
+    {"rate_of_the_laboratory",
+     [](Material& m) {
+       m.rate = SemiLogarithmicRate{0.1, 1.4e-5};
+       m.remolded_rate = SemiLogarithmicRate{0.1, 1};
+     },
+     "", ""},
+    {"rate_in_percent_an_hour",
+     [](Material& m) {
+       m.rate = SemiLogarithmicRate{0.1, 5};
+     },
+     "", "rate/reference_rate_per_s is 5: direct simple shear has 1.4e-5 1/s (5 %/h)"},
+    {"rate_of_the_additive_law",
+     [](Material& m) {
+       m.rate = AdditivePowerRate{0.08, 0.5, 1};
+     },
+     "", ""},
+    {"rate_that_is_none",
+     [](Material& m) {
+       m.rate = PowerRate{0.1, 5e3};
+     },
+     "/m/S/rate/reference_rate_per_s", "rate/reference_rate_per_s"},
+    {"remolded_rate_that_is_none",
+     [](Material& m) {
+       m.remolded_rate = PowerRate{0.1, 1e-13};
+     },
+     "/m/S/rate/remolded/reference_rate_per_s", "fall cone"},
+    {"viscosity_of_a_fit", [](Material& m) { m.flow = BinghamFlow{300}; }, "", ""},
+    {"viscosity_in_kPa_s", [](Material& m) { m.flow = BinghamFlow{3e4}; }, "",
+     "flow/viscosity_Pa_s is 30000"},
+    {"viscosity_below_water", [](Material& m) { m.flow = BinghamFlow{2e-4}; },
+     "/m/S/flow/viscosity_Pa_s", "0.007 to 0.2"},
+    {"viscosity_of_a_glacier", [](Material& m) { m.flow = BinghamFlow{1e13}; },
+     "/m/S/flow/viscosity_Pa_s", ""},
+    {"consistency_of_a_glacier",
+     [](Material& m) {
+       m.flow = HerschelBulkleyFlow{1e7, 0.3};
+     },
+     "/m/S/flow/consistency_Pa_sn", "flow/consistency_Pa_sn"},
     {"k0_high", [](Material& m) { m.k0 = 5; }, "", "overconsolidated"},
 };
 
