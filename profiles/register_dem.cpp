@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "disk/sha256.hpp"
 #include "profiles/gdal_error.hpp"
@@ -161,8 +162,11 @@ RegisteredDem register_dem(const fs::path& input, const fs::path& output, const 
   registered.lowest_m = static_cast<double>(values.lowest());
   registered.highest_m = static_cast<double>(values.highest());
   registered.cell_ground_m = cell_on_ground(dem);
-  if (fills == Fills::look_for) registered.fill = find_undeclared_fill(dem, values);
-  if (registered.fill) registered.warnings.push_back(warning_of(*registered.fill));
+  if (fills == Fills::look_for) {
+    const FoundFills found = find_undeclared_fills(dem, values);
+    registered.fill = found.taken;
+    std::ranges::copy(warnings_of(found), std::back_inserter(registered.warnings));
+  }
   registered.share_with_data = static_cast<double>(values.with_data()) /
                                (static_cast<double>(dem.info().width) * dem.info().height);
   fs::rename(cog.path(), output);

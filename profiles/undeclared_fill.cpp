@@ -14,6 +14,7 @@ constexpr std::int64_t least_cells = 16;
 // Over a whole shore, cell to cell, ground does not climb more steeply than this (56 degrees).
 constexpr double steepest_shore = 1.5;
 constexpr double least_step_m = 1.5;
+constexpr double share_told = 0.75;  // of that step: what stands there may be either
 
 /// Cells of one value and what lies beside them.
 struct Beside {
@@ -54,10 +55,12 @@ void for_each_square(const Dem& dem, const Use& use) {
   }
 }
 
-bool is_a_fill(const Beside& beside, double cell_m) {
-  if (beside.equal < beside.cells || beside.other == 0) return false;  // not in pieces, or alone
-  const double step = beside.steps_m / static_cast<double>(beside.other);
-  return step >= std::max(least_step_m, steepest_shore * cell_m);
+bool in_pieces(const Beside& beside) { return beside.equal >= beside.cells && beside.other > 0; }
+
+std::string told(const UndeclaredFill& fill) {
+  return fmt::format(
+      "{:.2g} % of the cells are exactly {:g} m and the ground beside them stands {:.1f} m away: ",
+      100 * fill.share, fill.value_m, fill.step_m);
 }
 
 }  // namespace
@@ -88,32 +91,47 @@ std::vector<float> RepeatedValues::at_least(std::int64_t cells) const {
   return values;
 }
 
-std::optional<UndeclaredFill> find_undeclared_fill(const Dem& dem, const RepeatedValues& values) {
+FoundFills find_undeclared_fills(const Dem& dem, const RepeatedValues& values) {
   const double all = static_cast<double>(dem.info().width) * dem.info().height;
   const auto enough = std::max(least_cells, static_cast<std::int64_t>(least_share * all));
   std::vector<Beside> besides;
   for (const float value : values.at_least(enough)) besides.push_back({.value = value});
-  if (besides.empty()) return std::nullopt;
+  FoundFills found;
+  if (besides.empty()) return found;
   for_each_square(dem, [&](const std::vector<float>& cells, std::size_t width) {
     for (Beside& beside : besides) look_at_square(cells, width, beside);
   });
-  std::optional<UndeclaredFill> found;
+  const double steep = std::max(least_step_m, steepest_shore * dem.info().cell_m());
   for (const Beside& beside : besides) {
-    const double share = static_cast<double>(beside.cells) / all;
-    if (!is_a_fill(beside, dem.info().cell_m()) || (found && found->share >= share)) continue;
-    found = {static_cast<double>(beside.value), share,
-             beside.steps_m / static_cast<double>(beside.other)};
+    if (!in_pieces(beside)) continue;
+    const UndeclaredFill fill{static_cast<double>(beside.value),
+                              static_cast<double>(beside.cells) / all,
+                              beside.steps_m / static_cast<double>(beside.other)};
+    if (fill.step_m < share_told * steep) continue;
+    if (fill.step_m < steep || (found.taken && found.taken->share >= fill.share)) {
+      found.unclear.push_back(fill);
+    } else {
+      if (found.taken) found.unclear.push_back(*found.taken);
+      found.taken = fill;
+    }
   }
   return found;
 }
 
-std::string warning_of(const UndeclaredFill& fill) {
-  return fmt::format(
-      "{:.2g} % of the cells are exactly {:g} m and the ground beside them stands {:.1f} m away: "
-      "they are taken for cells without data, which nobody declared. Declare them "
-      "(gdal_edit.py -a_nodata VALUE, or nodata = VALUE), or say that they are ground "
-      "(nodata = none)",
-      100 * fill.share, fill.value_m, fill.step_m);
+std::vector<std::string> warnings_of(const FoundFills& found) {
+  std::vector<std::string> warnings;
+  if (found.taken) {
+    warnings.push_back(told(*found.taken) +
+                       "they are taken for cells without data, which nobody declared. Declare them "
+                       "(gdal_edit.py -a_nodata VALUE, or nodata = VALUE), or say that they are "
+                       "ground (nodata = none)");
+  }
+  for (const UndeclaredFill& fill : found.unclear) {
+    warnings.push_back(told(fill) +
+                       "they count as ground. If they hold no data, give all such cells one value "
+                       "and declare it (nodata = VALUE)");
+  }
+  return warnings;
 }
 
 }  // namespace leda::profiles

@@ -41,12 +41,20 @@ class RepeatedValues {
   std::int64_t with_data_ = 0;
 };
 
-/// A value that fills whole pieces of the raster and that the ground beside them drops to, or rises
-/// to, more steeply than banks do. A lake or the sea, level as it is, has shores.
-/// @param values of the whole raster; it is read again only where one of them repeats
-std::optional<UndeclaredFill> find_undeclared_fill(const Dem& dem, const RepeatedValues& values);
+/// Values that fill whole pieces of the raster.
+struct FoundFills {
+  /// The one in most cells that the ground beside drops to, or rises to, more steeply than banks
+  /// do. A lake or the sea, level as it is, has shores.
+  std::optional<UndeclaredFill> taken;
+  /// The others as steep (a mosaic has one of each survey), and those nearly as steep: they
+  /// stay ground.
+  std::vector<UndeclaredFill> unclear;
+};
 
-/// What a reader has to know of it, and what to do.
-std::string warning_of(const UndeclaredFill& fill);
+/// @param values of the whole raster; it is read again only where one of them repeats
+FoundFills find_undeclared_fills(const Dem& dem, const RepeatedValues& values);
+
+/// What a reader has to know of each, and what to do.
+std::vector<std::string> warnings_of(const FoundFills& found);
 
 }  // namespace leda::profiles

@@ -51,6 +51,31 @@ TEST(UndeclaredFill, GroundBetweenIsNoHindrance) {
   EXPECT_DOUBLE_EQ(dem.fill->value_m, 0);
 }
 
+TEST(UndeclaredFill, OfTwoFillsOfAMosaicTheSmallerIsTold) {
+  const TestFolder folder;
+  const auto mosaic = [](MapPoint p) { return p.y > 2030 ? 0.0 : -99.0; };
+  const auto dem = register_dem(plain_and(mosaic, folder / "in.tif"), folder / "out.tif");
+  ASSERT_TRUE(dem.fill);
+  EXPECT_DOUBLE_EQ(dem.fill->value_m, 0);
+  ASSERT_EQ(dem.warnings.size(), 2U);
+  EXPECT_NE(dem.warnings[1].find("7.5 % of the cells are exactly -99 m"), std::string::npos)
+      << dem.warnings[1];
+  EXPECT_NE(dem.warnings[1].find("they count as ground"), std::string::npos);
+}
+
+TEST(UndeclaredFill, APieceAStepBelowTheGroundIsToldAndStaysGround) {
+  const TestFolder folder;
+  const auto low_plain = computed(200, 100, {1000, 1, 0, 2100, 0, -1}, [](MapPoint p) {
+    return p.x > 1150 ? 0 : 1.3 + 0.1 * std::sin(p.x / 9);
+  });
+  const auto dem = register_dem(write_geotiff(low_plain, folder / "in.tif"), folder / "out.tif");
+  EXPECT_FALSE(dem.fill);
+  ASSERT_EQ(dem.warnings.size(), 1U);
+  EXPECT_NE(dem.warnings[0].find("25 % of the cells are exactly 0 m and the ground beside"),
+            std::string::npos)
+      << dem.warnings[0];
+}
+
 TEST(UndeclaredFill, ALevelLakeWithShoresIsGround) {
   const TestFolder folder;
   const auto lake = [](MapPoint p) {
