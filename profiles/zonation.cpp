@@ -1,7 +1,6 @@
 #include "profiles/zonation.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "disk/sha256.hpp"
 #include "profiles/areas.hpp"
 #include "profiles/map_geometry.hpp"
+#include "solver/section/gathered_warnings.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -42,25 +42,11 @@ MapPoint downhill(const PlacedResult& s) {
 
 MapPoint scaled(MapPoint v, double by) { return {v.x * by, v.y * by}; }
 
-// "S001", "S001, S002, S003", "S001, S002 and 56 more".
-std::string some_of(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 3;
-  if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
-  return fmt::format("{}, {} and {} more", names[0], names[1], names.size() - 2);
-}
-
-// Each warning once, in the order they come, with the sections it is about.
+// Each warning once, with the sections it is about.
 std::vector<std::string> warnings_of(const std::vector<const PlacedResult*>& sections) {
-  std::vector<std::string> texts;
-  std::map<std::string, std::vector<std::string>> about;
-  for (const PlacedResult* s : sections) {
-    for (const std::string& text : s->warnings) {
-      if (about[text].empty()) texts.push_back(text);
-      about[text].push_back(s->section);
-    }
-  }
-  for (std::string& text : texts) text = some_of(about[text]) + ": " + text;
-  return texts;
+  GatheredWarnings gathered;
+  for (const PlacedResult* s : sections) gathered.add(s->section, s->warnings);
+  return lines_of(gathered);
 }
 
 // A chain of sections joined to one zone of each kind; the rings are what it is made of.

@@ -1,11 +1,9 @@
 #include "server/layers/region_layers.hpp"
 
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "server/layers/summary.hpp"
 #include "server/operate/problem.hpp"
-#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -20,9 +18,6 @@ void add_result(profiles::SectionFeature& feature, const SectionResult& result) 
   feature.simulated_s = result.simulated_s;
   feature.run_time_s = result.run_time_s;
   feature.ground_after = result.profile_after;
-  auto warnings = result.warnings;
-  add_new(warnings, feature.warnings);
-  feature.warnings = std::move(warnings);
 }
 
 std::optional<double> number_at(const nlohmann::json& document, const char* pointer) {
@@ -51,7 +46,7 @@ profiles::SectionFeature section_feature(const db::SectionRecord& section) {
   feature.reason = section.reason;
   add_screening(feature, section.screening);
   feature.ground_before = section.ground;
-  feature.warnings = section.warnings;
+  feature.warnings = warnings_of(section);
   if (section.result) add_result(feature, *section.result);
   if (section.placed && section.placed->known) {
     feature.crest = section.placed->crest;

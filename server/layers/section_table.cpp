@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "server/layers/summary.hpp"
+#include "solver/section/gathered_warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -12,31 +13,33 @@ std::string distance(double metres, Bound is) {
   return fmt::format("{}{:.1f}", is == Bound::lower_bound ? ">" : "", metres);
 }
 
-std::string remark_of(const db::SectionRecord& section) {
-  if (!section.reason.empty()) return section.reason;
-  const auto& warnings = section.result ? section.result->warnings : section.warnings;
-  return warnings.empty() ? "" : warnings.front();
+/// "warning: S1, S2 and 5 more: TEXT", a line for each text.
+std::string warning_lines(const std::vector<db::SectionRecord>& sections) {
+  GatheredWarnings gathered;
+  for (const auto& section : sections) gathered.add(section.name, warnings_of(section));
+  std::string lines;
+  for (const std::string& line : lines_of(gathered)) lines += "warning: " + line + "\n";
+  return lines;
 }
 
 }  // namespace
 
 std::string section_table(const std::vector<db::SectionRecord>& sections) {
   std::string table = fmt::format("{:<12} {:<12} {:>15} {:>9} {:>11}  {}\n", "section", "status",
-                                  "retrogression/m", "runout/m", "run time/s", "remark");
+                                  "retrogression/m", "runout/m", "run time/s", "reason");
   for (const auto& section : sections) {
-    const std::string remark = remark_of(section);
     if (section.result) {
       const SectionResult& r = *section.result;
       table += fmt::format("{:<12} {:<12} {:>15} {:>9} {:>11.1f}  {}\n", section.name,
                            status_of(section),
                            distance(r.crest_to_crest_retrogression_m, r.retrogression_is),
-                           distance(r.runout_m, r.runout_is), r.run_time_s, remark);
+                           distance(r.runout_m, r.runout_is), r.run_time_s, section.reason);
     } else {
       table += fmt::format("{:<12} {:<12} {:>15} {:>9} {:>11}  {}\n", section.name,
-                           status_of(section), "-", "-", "-", remark);
+                           status_of(section), "-", "-", "-", section.reason);
     }
   }
-  return table;
+  return table + warning_lines(sections);
 }
 
 }  // namespace leda::server

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solver/section/warnings.hpp"
+
 namespace leda::server {
 
 using db::SectionState;
@@ -58,6 +60,14 @@ std::string final_message(const JobCounts& counts) {
 
 std::string status_of(const db::SectionRecord& section) {
   return section.result ? to_string(section.result->status) : db::to_string(section.state);
+}
+
+std::vector<std::string> warnings_of(const db::SectionRecord& section) {
+  std::vector<std::string> warnings;
+  if (section.result) add_new(warnings, section.result->warnings);
+  add_new(warnings, section.warnings);
+  if (section.placed && section.placed->known) add_new(warnings, section.placed->warnings);
+  return warnings;
 }
 
 }  // namespace leda::server

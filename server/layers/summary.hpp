@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "db/records.hpp"
 
@@ -47,5 +48,8 @@ std::string final_message(const JobCounts& counts);
 
 /// The run's status where there is a result, else the section's state.
 std::string status_of(const db::SectionRecord& section);
+
+/// All there is to be told of it, each once: of its run, of its profile, of its place on the map.
+std::vector<std::string> warnings_of(const db::SectionRecord& section);
 
 }  // namespace leda::server

@@ -5,7 +5,6 @@
 
 #include "server/documents/result_document.hpp"
 #include "server/layers/summary.hpp"
-#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -60,7 +59,6 @@ json section_row(const db::SectionRecord& section) {
               {"case_sha256", nullptr},
               {"version", nullptr},
               {"engine", nullptr}};
-  auto warnings = section.warnings;
   if (section.result) {
     const SectionResult& result = *section.result;
     row["crest_to_crest_retrogression_m"] = result.crest_to_crest_retrogression_m;
@@ -76,10 +74,8 @@ json section_row(const db::SectionRecord& section) {
     row["case_sha256"] = result.case_sha256;
     row["version"] = result.version;
     if (result.engine) row["engine"] = to_document(*result.engine);
-    warnings = result.warnings;
-    add_new(warnings, section.warnings);
   }
-  row["warnings"] = warnings;
+  row["warnings"] = warnings_of(section);
   return row;
 }
 
