@@ -11,8 +11,10 @@ namespace leda::db {
 namespace {
 
 const std::string columns =
-    "SELECT id, process, name, state, message, progress, request, idempotency_key, created, "
-    "started, finished, updated, raster_id, sequence FROM jobs ";
+    "SELECT id, process, name, state, message, progress, idempotency_key, created, started, "
+    "finished, updated, raster_id, sequence";
+const std::string without_request = columns + " FROM jobs ";
+const std::string with_request = columns + ", request FROM jobs JOIN requests USING (sequence) ";
 
 // ?1 and ?2 are JSON lists, empty for any; ?3 and ?4 are times, empty for open. Times are compared
 // as times: a bound may come without milliseconds. ?5 and ?6 are durations in s, negative for any.
@@ -24,14 +26,13 @@ const std::string filtered =
     "AND (?5 < 0 OR (julianday(coalesce(finished, 'now')) - julianday(started)) * 86400 >= ?5) "
     "AND (?6 < 0 OR (julianday(coalesce(finished, 'now')) - julianday(started)) * 86400 <= ?6) ";
 
-JobRecord job_from(Query& row) {
-  return JobRecord{.id = row.text(),
+JobStatus status_from(Query& row) {
+  return JobStatus{.id = row.text(),
                    .process = row.text(),
                    .name = row.text(),
                    .state = job_state_from(row.text()).value(),
                    .message = row.text(),
                    .progress = row.small_integer(),
-                   .request = row.text(),
                    .idempotency_key = row.text(),
                    .created = row.text(),
                    .started = row.text(),
@@ -54,9 +55,9 @@ std::string state_words(const std::vector<JobState>& states) {
 
 std::optional<JobRecord> one_job(Database& database, const std::string& where,
                                  const std::string& value) {
-  Query row(database, columns + where);
+  Query row(database, with_request + where);
   if (!row.with(value).next()) return std::nullopt;
-  return job_from(row);
+  return JobRecord{status_from(row), row.text()};
 }
 
 }  // namespace
@@ -65,15 +66,15 @@ void Store::add_job(const JobRecord& job) {
   const std::string now = utc_now();
   connection_->write([&](Database& database) {
     Query(database,
-          "INSERT INTO jobs (id, process, name, state, message, progress, request, "
-          "idempotency_key, created, started, finished, updated, raster_id) "
-          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+          "INSERT INTO jobs (id, process, name, state, message, progress, idempotency_key, "
+          "created, started, finished, updated, raster_id) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .with(job.id, job.process, job.name, to_string(job.state), job.message, job.progress,
-              job.request, null_if_empty(job.idempotency_key),
-              job.created.empty() ? now : job.created, null_if_empty(job.started),
-              null_if_empty(job.finished), job.updated.empty() ? now : job.updated,
-              null_if_empty(job.raster))
+              null_if_empty(job.idempotency_key), job.created.empty() ? now : job.created,
+              null_if_empty(job.started), null_if_empty(job.finished),
+              job.updated.empty() ? now : job.updated, null_if_empty(job.raster))
         .run();
+    Query(database, "INSERT INTO requests VALUES (last_insert_rowid(), ?)").with(job.request).run();
   });
 }
 
@@ -87,16 +88,24 @@ std::optional<JobRecord> Store::job_by_idempotency_key(const std::string& key) c
       [&](Database& database) { return one_job(database, "WHERE idempotency_key = ?", key); });
 }
 
-std::vector<JobRecord> Store::jobs(const JobFilter& filter) const {
+std::optional<JobStatus> Store::job_status(const std::string& id) const {
+  return connection_->read([&](Database& database) -> std::optional<JobStatus> {
+    Query row(database, without_request + "WHERE id = ?");
+    if (!row.with(id).next()) return std::nullopt;
+    return status_from(row);
+  });
+}
+
+std::vector<JobStatus> Store::jobs(const JobFilter& filter) const {
   return connection_->read([&](Database& database) {
-    std::vector<JobRecord> found;
-    Query rows(database, columns + filtered +
+    std::vector<JobStatus> found;
+    Query rows(database, without_request + filtered +
                              "AND (?8 = 0 OR sequence < ?8) ORDER BY sequence DESC "
                              "LIMIT max(?7, 0)");
     rows.with(to_json(filter.processes), state_words(filter.states), filter.created_from,
               filter.created_to, filter.least_s.value_or(-1), filter.most_s.value_or(-1),
               filter.limit, filter.before);
-    while (rows.next()) found.push_back(job_from(rows));
+    while (rows.next()) found.push_back(status_from(rows));
     return found;
   });
 }
@@ -111,11 +120,12 @@ int Store::count_jobs(const JobFilter& filter) const {
   });
 }
 
-std::vector<JobRecord> Store::unfinished_jobs() const {
+std::vector<JobStatus> Store::unfinished_jobs() const {
   return connection_->read([&](Database& database) {
-    std::vector<JobRecord> found;
-    Query rows(database, columns + "WHERE state IN ('accepted', 'running') ORDER BY sequence");
-    while (rows.next()) found.push_back(job_from(rows));
+    std::vector<JobStatus> found;
+    Query rows(database,
+               without_request + "WHERE state IN ('accepted', 'running') ORDER BY sequence");
+    while (rows.next()) found.push_back(status_from(rows));
     return found;
   });
 }

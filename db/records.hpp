@@ -42,18 +42,22 @@ constexpr bool is_final(JobState state) {
   return state != JobState::accepted && state != JobState::running;
 }
 
-struct JobRecord {
+/// A job but for its request.
+struct JobStatus {
   std::string id;
   std::string process;  ///< "map-region", "simulate-section", ...
   std::string name;
   JobState state = JobState::accepted;
   std::string message;
   int progress = 0;             ///< 0 to 100
-  std::string request;          ///< the execute request as sent, JSON
   std::string idempotency_key;  ///< empty: none
   std::string created, started, finished, updated;
   std::string raster;         ///< id of the DEM it stands on; empty: none
   std::int64_t sequence = 0;  ///< given by the store: the order in which jobs were accepted
+};
+
+struct JobRecord : JobStatus {
+  std::string request;  ///< the execute request as sent, JSON: up to 16 MiB
 };
 
 enum class SectionState {

@@ -80,9 +80,11 @@ class Store {
   void add_job(const JobRecord& job);
   std::optional<JobRecord> job(const std::string& id) const;
   std::optional<JobRecord> job_by_idempotency_key(const std::string& key) const;
-  std::vector<JobRecord> jobs(const JobFilter& filter) const;  ///< newest first
+  /// Without reading the request, as are the lists below.
+  std::optional<JobStatus> job_status(const std::string& id) const;
+  std::vector<JobStatus> jobs(const JobFilter& filter) const;  ///< newest first
   int count_jobs(const JobFilter& filter) const;
-  std::vector<JobRecord> unfinished_jobs() const;  ///< accepted or running, oldest first
+  std::vector<JobStatus> unfinished_jobs() const;  ///< accepted or running, oldest first
   /// A dismissed job stays dismissed until it is accepted again; false where that kept it.
   bool set_job_state(const std::string& id, JobState state, const std::string& message);
   /// The job is dismissed, and with it all of its sections that wait or run, with their tries.

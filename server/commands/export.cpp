@@ -72,7 +72,7 @@ int export_job(const Options& options) {
   set_up_logging(true);
   const DataFolder data(options.data);
   const db::Store store(data.store());
-  const auto job = job_or_problem(store, options.job);
+  const auto job = job_status_or_problem(store, options.job);
   const Wanted wanted = wanted_or_problem(options);
   if (job.state != db::JobState::successful) {
     throw Problem(Failure::result_not_ready, "job " + job.id + " is " + db::to_string(job.state) +

@@ -80,10 +80,10 @@ std::string with_registered_dem(Service& service, const std::string& text, const
 }
 
 /// Waits for the end of a job.
-db::JobRecord follow(const Service& service, const std::string& id, bool silent) {
+db::JobStatus follow(const Service& service, const std::string& id, bool silent) {
   ProgressLine line(silent);
   for (;;) {
-    auto job = job_or_problem(service.store, id);
+    auto job = job_status_or_problem(service.store, id);
     line.show(fmt::format("{:3d} %  {}", job.progress, job.message));
     if (db::is_final(job.state)) {
       line.end();

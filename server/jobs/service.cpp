@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "server/documents/execute_options.hpp"
 #include "server/jobs/dry_run.hpp"
@@ -111,6 +112,12 @@ std::optional<Submitted> stored_reply(const db::Store& store, const Process& pro
   return Submitted{*job, true};
 }
 
+template <class Job>
+Job found_or_problem(std::optional<Job> job, const std::string& id) {
+  if (!job) throw Problem(Failure::no_such_job, "there is no job " + id);
+  return std::move(*job);
+}
+
 DataFolder opened(const std::filesystem::path& data_folder, const ServiceOptions& options) {
   const auto& shared = options.slurm.shared_folder;
   if (options.runs_on == RunsOn::slurm && !shared.empty()) put_runs_in(data_folder, shared);
@@ -137,7 +144,7 @@ Service::Service(const std::filesystem::path& data_folder, const ServiceOptions&
                  {[this](const SectionResult& result) { metrics.count_run(result); },
                   [this](int runs) { metrics.count_restarts(runs); }}) {
   // Jobs of an older Leda, and one whose server was killed between two lines of submit().
-  for (const auto& id : store.jobs_without_boxes()) keep_boxes(store, store.job(id).value());
+  for (const auto& id : store.jobs_without_boxes()) keep_boxes(store, store.job_status(id).value());
   dispatcher.start();
 }
 
@@ -177,8 +184,8 @@ nlohmann::json dry_run(Service& service, const Process& process, const std::stri
   return dry_run(process, *work, std::move(sections), service.store);
 }
 
-db::JobRecord retry(Service& service, const std::string& id) {
-  const db::JobRecord job = job_or_problem(service.store, id);
+db::JobStatus retry(Service& service, const std::string& id) {
+  const db::JobStatus job = job_status_or_problem(service.store, id);
   if (!db::is_final(job.state) || job.state == db::JobState::dismissed) {
     throw Problem(Failure::wrong_state, "job " + id + " is " + db::to_string(job.state) +
                                             ": only a finished job can be retried");
@@ -193,13 +200,15 @@ db::JobRecord retry(Service& service, const std::string& id) {
   }
   service.dispatcher.add(id);
   log_info(id, "retried");
-  return job_or_problem(service.store, id);
+  return job_status_or_problem(service.store, id);
 }
 
 db::JobRecord job_or_problem(const db::Store& store, const std::string& id) {
-  auto job = store.job(id);
-  if (!job) throw Problem(Failure::no_such_job, "there is no job " + id);
-  return *job;
+  return found_or_problem(store.job(id), id);
+}
+
+db::JobStatus job_status_or_problem(const db::Store& store, const std::string& id) {
+  return found_or_problem(store.job_status(id), id);
 }
 
 }  // namespace leda::server

@@ -65,9 +65,11 @@ Submitted submit(Service& service, const Process& process, const std::string& re
 nlohmann::json dry_run(Service& service, const Process& process, const std::string& request);
 
 /// Puts the failed sections of a finished job back in line. @throws Problem
-db::JobRecord retry(Service& service, const std::string& id);
+db::JobStatus retry(Service& service, const std::string& id);
 
 /// @throws Problem no_such_job
 db::JobRecord job_or_problem(const db::Store& store, const std::string& id);
+/// The same without reading its request. @throws Problem no_such_job
+db::JobStatus job_status_or_problem(const db::Store& store, const std::string& id);
 
 }  // namespace leda::server

@@ -8,7 +8,7 @@ namespace leda::server {
 
 std::vector<db::SectionRecord> sections_or_problem(const db::Store& store, const std::string& job,
                                                    const std::vector<std::string>& names) {
-  if (!store.job(job)) throw Problem(Failure::no_such_job, "there is no job " + job);
+  if (!store.job_status(job)) throw Problem(Failure::no_such_job, "there is no job " + job);
   std::vector<db::SectionRecord> sections;
   for (const auto& name : names) {
     auto section = store.section(job, name);

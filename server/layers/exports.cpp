@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// "JOB-20260131120000000.gpkg": another one once the job was retried.
-std::string name_of(const db::JobRecord& job, const std::string& ending) {
+std::string name_of(const db::JobStatus& job, const std::string& ending) {
   std::string name = job.id + "-";
   for (const char c : job.finished) {
     if (std::isdigit(static_cast<unsigned char>(c)) != 0) name += c;
@@ -21,7 +21,7 @@ std::string name_of(const db::JobRecord& job, const std::string& ending) {
   return name + ending;
 }
 
-void remove_older(const fs::path& newest, const db::JobRecord& job, const std::string& ending) {
+void remove_older(const fs::path& newest, const db::JobStatus& job, const std::string& ending) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(newest.parent_path(), ignored)) {
     const std::string name = entry.path().filename().string();
@@ -37,7 +37,7 @@ std::mutex exporting;
 
 }  // namespace
 
-fs::path export_of(const DataFolder& data, const db::Store& store, const db::JobRecord& job,
+fs::path export_of(const DataFolder& data, const db::Store& store, const db::JobStatus& job,
                    profiles::ExportFormat format) {
   const std::string ending = profiles::file_ending(format);
   fs::path file = data.exports() / name_of(job, ending);
@@ -48,7 +48,7 @@ fs::path export_of(const DataFolder& data, const db::Store& store, const db::Job
   return file;
 }
 
-fs::path raster_of(const DataFolder& data, const db::Store& store, const db::JobRecord& job,
+fs::path raster_of(const DataFolder& data, const db::Store& store, const db::JobStatus& job,
                    const std::string& name) {
   const auto kind = raster_kind_from(name);
   if (!kind) {

@@ -14,12 +14,12 @@ namespace leda::server {
 /// retried job gets a new one. Safe to call from several threads.
 /// @throws Problem wrong_state where the job has no map
 std::filesystem::path export_of(const DataFolder& data, const db::Store& store,
-                                const db::JobRecord& job, profiles::ExportFormat format);
+                                const db::JobStatus& job, profiles::ExportFormat format);
 
 /// release_probability.tif or runout_probability.tif of a finished job, with its style beside it.
 /// @param name of the raster, or of the style
 /// @throws Problem where the job has no ensemble or no map, or there is no such file
 std::filesystem::path raster_of(const DataFolder& data, const db::Store& store,
-                                const db::JobRecord& job, const std::string& name);
+                                const db::JobStatus& job, const std::string& name);
 
 }  // namespace leda::server

@@ -46,7 +46,7 @@ struct Ground {
   ToCrs84 to_crs84;
 };
 
-Ground ground_of(const db::Store& store, const db::JobRecord& job) {
+Ground ground_of(const db::Store& store, const db::JobStatus& job) {
   const auto raster = store.raster(job.raster);
   return {job.id, job.name, raster ? raster->name : "", raster ? raster->sha256 : "",
           ToCrs84(raster ? raster->epsg : 0)};
@@ -60,7 +60,7 @@ class Grounds {
   const Ground& of(const std::string& job) {
     const auto found = known_.find(job);
     if (found != known_.end()) return found->second;
-    return known_.emplace(job, ground_of(store_, store_.job(job).value())).first->second;
+    return known_.emplace(job, ground_of(store_, store_.job_status(job).value())).first->second;
   }
 
  private:
@@ -150,7 +150,7 @@ void add_box(std::vector<db::FeatureBox>& boxes, std::int64_t id, const MapLine&
   if (!degrees.empty()) boxes.push_back({id, profiles::box_around(degrees)});
 }
 
-void keep_boxes(db::Store& store, const db::JobRecord& job, const ToCrs84& to_crs84) {
+void keep_boxes(db::Store& store, const db::JobStatus& job, const ToCrs84& to_crs84) {
   std::vector<db::FeatureBox> sections, zones;
   db::PageFilter all;
   all.job = job.id;
@@ -263,7 +263,7 @@ json schema_of(Collection collection) {
           {"properties", properties}};
 }
 
-void keep_boxes(db::Store& store, const db::JobRecord& job) {
+void keep_boxes(db::Store& store, const db::JobStatus& job) {
   const int epsg = epsg_of(store, job);
   if (epsg == 0) return;
   try {

@@ -39,6 +39,6 @@ nlohmann::json schema_of(Collection collection);
 /// Keeps where the sections and zones of a job lie, so that pages find them by box. Needed after
 /// a layout and after zones were stored; a job without a DEM is left alone. What cannot be placed
 /// is told in the log.
-void keep_boxes(db::Store& store, const db::JobRecord& job);
+void keep_boxes(db::Store& store, const db::JobStatus& job);
 
 }  // namespace leda::server

@@ -71,15 +71,18 @@ std::optional<Look> last_look(const Ensemble& ensemble, const solver::Place& pla
 JobEnsemble::JobEnsemble(const db::Store& store, std::variant<EnsembleCase, RegionRequest> request)
     : store_(&store), request_(std::move(request)) {}
 
-std::optional<JobEnsemble> JobEnsemble::of(const db::Store& store, const db::JobRecord& job) {
-  if (job.process == "simulate-section") {
-    auto request = parse_simulate_request(job.request, Members::taken);
+std::optional<JobEnsemble> JobEnsemble::of(const db::Store& store, const db::JobStatus& job) {
+  const bool is_case = job.process == "simulate-section", is_region = job.process == "map-region";
+  if (!is_case && !is_region) return std::nullopt;
+  const auto whole = store.job(job.id);
+  if (!whole) return std::nullopt;
+  if (is_case) {
+    auto request = parse_simulate_request(whole->request, Members::taken);
     if (request && request.value->ensemble) {
       return JobEnsemble(store, std::move(*request.value->ensemble));
     }
-  }
-  if (job.process == "map-region") {
-    auto request = parse_region_request(job.request, DemNaming::registered_only);
+  } else {
+    auto request = parse_region_request(whole->request, DemNaming::registered_only);
     if (request && request.value->ensemble) return JobEnsemble(store, std::move(*request.value));
   }
   return std::nullopt;
@@ -111,7 +114,7 @@ EnsembleOfSection JobEnsemble::of_section(const SectionRecord& section) const {
   return out;
 }
 
-std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const db::JobRecord& job,
+std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const db::JobStatus& job,
                                           const std::vector<SectionRecord>& sections) {
   std::vector<SectionEnsemble> found;
   const auto ensemble = JobEnsemble::of(store, job);
@@ -123,7 +126,7 @@ std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const db::JobR
   return found;
 }
 
-JobEnsemble ensemble_or_problem(const db::Store& store, const db::JobRecord& job) {
+JobEnsemble ensemble_or_problem(const db::Store& store, const db::JobStatus& job) {
   auto ensemble = JobEnsemble::of(store, job);
   if (!ensemble) throw Problem(Failure::no_such_result, "job " + job.id + " has no ensemble");
   return std::move(*ensemble);

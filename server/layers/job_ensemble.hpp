@@ -46,8 +46,8 @@ struct EnsembleOfSection {
 /// Belongs to one thread.
 class JobEnsemble {
  public:
-  /// Nothing where the job has no ensemble.
-  static std::optional<JobEnsemble> of(const db::Store& store, const db::JobRecord& job);
+  /// From the request in the store; nothing where the job has no ensemble.
+  static std::optional<JobEnsemble> of(const db::Store& store, const db::JobStatus& job);
 
   const Ensemble& asked() const;
   /// Models of a region; empty for a case.
@@ -63,10 +63,10 @@ class JobEnsemble {
 };
 
 /// Of those sections whose first look is over; none where the job has no ensemble.
-std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const db::JobRecord& job,
+std::vector<SectionEnsemble> ensembles_of(const db::Store& store, const db::JobStatus& job,
                                           const std::vector<db::SectionRecord>& sections);
 
 /// The same as JobEnsemble::of(). @throws Problem no_such_result where the job has no ensemble
-JobEnsemble ensemble_or_problem(const db::Store& store, const db::JobRecord& job);
+JobEnsemble ensemble_or_problem(const db::Store& store, const db::JobStatus& job);
 
 }  // namespace leda::server

@@ -25,7 +25,7 @@ std::vector<double> every_hundredth() {
 }
 
 double metres_per_unit_of(const DataFolder& data, const db::Store& store,
-                          const db::JobRecord& job) {
+                          const db::JobStatus& job) {
   const auto raster = store.raster(job.raster);
   if (!raster || !raster->removed.empty()) {
     throw Problem(Failure::wrong_state, "the DEM of job " + job.id + " was removed");
@@ -38,7 +38,7 @@ std::vector<Zone> of_kind(std::vector<Zone> zones, ZoneKind kind) {
   return zones;
 }
 
-std::string described(const db::JobRecord& job, ZoneKind kind) {
+std::string described(const db::JobStatus& job, ZoneKind kind) {
   return fmt::format(
       "Probability that ground is reached ({}), {}; in hundredths, rounded down. Job {} of region "
       "{}",
@@ -58,7 +58,7 @@ std::optional<ZoneKind> raster_kind_from(const std::string& name) {
 }
 
 void write_probability_raster(const DataFolder& data, const db::Store& store,
-                              const db::JobRecord& job, ZoneKind kind,
+                              const db::JobStatus& job, ZoneKind kind,
                               const std::filesystem::path& file) {
   const auto ensemble = ensemble_or_problem(store, job);
   profiles::ProbabilityRaster raster;

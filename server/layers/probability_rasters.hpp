@@ -19,7 +19,7 @@ std::optional<ZoneKind> raster_kind_from(const std::string& name);
 /// Writes a raster and its style.
 /// @throws Problem where the job has no ensemble or no map
 void write_probability_raster(const DataFolder& data, const db::Store& store,
-                              const db::JobRecord& job, ZoneKind kind,
+                              const db::JobStatus& job, ZoneKind kind,
                               const std::filesystem::path& file);
 
 }  // namespace leda::server

@@ -58,13 +58,13 @@ profiles::SectionFeature section_feature(const db::SectionRecord& section) {
   return feature;
 }
 
-int epsg_of(const db::Store& store, const db::JobRecord& job) {
+int epsg_of(const db::Store& store, const db::JobStatus& job) {
   if (job.raster.empty()) return 0;
   const auto raster = store.raster(job.raster);
   return raster ? raster->epsg : 0;
 }
 
-profiles::RegionLayers region_layers(const db::Store& store, const db::JobRecord& job) {
+profiles::RegionLayers region_layers(const db::Store& store, const db::JobStatus& job) {
   profiles::RegionLayers layers;
   layers.name = job.name;
   layers.job = job.id;

@@ -112,7 +112,7 @@ TEST(Crash, KilledAtAnyMomentEveryAnswerHoldsAndEveryLayoutIsWhole) {
     for (int i = 0; i < answered; ++i)
       EXPECT_EQ(store.sections(samples::numbered("job-", i)).size(),
                 static_cast<std::size_t>(sections_a_job));
-    for (const JobRecord& job : store.jobs({.limit = 100'000})) {
+    for (const JobStatus& job : store.jobs({.limit = 100'000})) {
       const std::size_t count = store.sections(job.id).size();
       EXPECT_TRUE(count == 0 || count == sections_a_job) << job.id << " has " << count;
     }

@@ -15,7 +15,7 @@ class JobStore : public ::testing::Test {
  protected:
   std::vector<std::string> ids(const JobFilter& filter) {
     std::vector<std::string> found;
-    for (const JobRecord& record : store.jobs(filter)) found.push_back(record.id);
+    for (const JobStatus& record : store.jobs(filter)) found.push_back(record.id);
     return found;
   }
   ScratchFolder folder;
@@ -44,6 +44,24 @@ TEST_F(JobStore, AJobComesBackWhole) {
   EXPECT_EQ(back->finished, "");
   EXPECT_EQ(back->raster, "");
   EXPECT_FALSE(store.job("job-2").has_value());
+}
+
+template <class Job>
+constexpr bool has_request = requires(Job job) {
+  job.request;
+};
+
+TEST_F(JobStore, AListOfJobsReadsNoRequest) {
+  store.add_job(job());
+  const auto status = store.job_status("job-1");
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->name, job().name);
+  EXPECT_EQ(status->sequence, store.job("job-1")->sequence);
+  EXPECT_FALSE(store.job_status("job-2").has_value());
+  static_assert(has_request<JobRecord>);
+  static_assert(!has_request<decltype(status)::value_type>);
+  static_assert(!has_request<decltype(store.jobs({}))::value_type>);
+  static_assert(!has_request<decltype(store.unfinished_jobs())::value_type>);
 }
 
 TEST_F(JobStore, TimesAreGivenWhereTheyAreMissing) {

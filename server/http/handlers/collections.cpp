@@ -64,14 +64,14 @@ db::PageFilter filter_of(const Site& site, const Call& call) {
   filter.box = wanted_box(call);
   interval(call);  // features have no time of their own, so that each is of any time
   if (const auto id = call.parameter("job"))
-    filter.job = job_or_problem(site.service.store, *id).id;
+    filter.job = job_status_or_problem(site.service.store, *id).id;
   return filter;
 }
 
 /// A job that stands on no DEM has nothing on the map.
 bool has_a_map(const Site& site, const db::PageFilter& filter) {
   return filter.job.empty() ||
-         epsg_of(site.service.store, *site.service.store.job(filter.job)) != 0;
+         epsg_of(site.service.store, *site.service.store.job_status(filter.job)) != 0;
 }
 
 /// The CRS the coordinates are kept in, where all features share one.

@@ -14,7 +14,7 @@ namespace leda::server {
 Answer get_section_ensemble(Site& site, const Call& call) {
   const bool drawing = format(call, {"json", "svg"}) == "svg";
   const db::Store& store = site.service.store;
-  const auto job = job_or_problem(store, call.captured[0]);
+  const auto job = job_status_or_problem(store, call.captured[0]);
   const auto ensemble = ensemble_or_problem(store, job);
   const auto section = sections_or_problem(store, job.id, {call.captured[1]}).front();
   const auto of_section = ensemble.of_section(section).ensemble;
@@ -33,7 +33,7 @@ Answer get_section_ensemble(Site& site, const Call& call) {
 Answer get_members(Site& site, const Call& call) {
   format(call, {"csv"});
   const db::Store& store = site.service.store;
-  const auto job = job_or_problem(store, call.captured[0]);
+  const auto job = job_status_or_problem(store, call.captured[0]);
   const auto ensemble = ensemble_or_problem(store, job);
   const db::Turns::Turn turn(site.pages);
   Answer answer;

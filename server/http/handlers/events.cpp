@@ -25,7 +25,7 @@ struct Follower {
 
   std::optional<std::string> next() {
     if (done) return std::nullopt;
-    const auto record = site.service.store.job(job);
+    const auto record = site.service.store.job_status(job);
     if (!record) return std::nullopt;
     done = db::is_final(record->state);
     const auto now = std::chrono::steady_clock::now();
@@ -47,7 +47,7 @@ struct Follower {
 }  // namespace
 
 Answer get_events(Site& site, const Call& call) {
-  const auto job = job_or_problem(site.service.store, call.captured[0]);
+  const auto job = job_status_or_problem(site.service.store, call.captured[0]);
   auto slot = site.streams.take();
   if (!slot) {
     throw Problem(Failure::too_busy, "too many event streams are open: poll the job instead");

@@ -4,7 +4,7 @@
 
 namespace leda::server {
 
-nlohmann::json status_info(const db::JobRecord& job, const std::string& url) {
+nlohmann::json status_info(const db::JobStatus& job, const std::string& url) {
   const std::string own = url + "/jobs/" + job.id;
   nlohmann::json document = {{"jobID", job.id},          {"type", "process"},
                              {"processID", job.process}, {"status", db::to_string(job.state)},

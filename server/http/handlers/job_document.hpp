@@ -9,6 +9,6 @@
 namespace leda::server {
 
 /// @param url of the service, for the links
-nlohmann::json status_info(const db::JobRecord& job, const std::string& url);
+nlohmann::json status_info(const db::JobStatus& job, const std::string& url);
 
 }  // namespace leda::server

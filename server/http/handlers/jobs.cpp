@@ -43,7 +43,7 @@ Answer get_jobs(Site& site, const Call& call) {
   const auto types = list(call, "type");
   const bool none =
       !types.empty() && std::find(types.begin(), types.end(), "process") == types.end();
-  std::vector<db::JobRecord> page;
+  std::vector<db::JobStatus> page;
   if (!none) {
     db::JobFilter one_more = filter;
     ++one_more.limit;  // tells whether there is a next page
@@ -65,14 +65,15 @@ Answer get_jobs(Site& site, const Call& call) {
 
 Answer get_job(Site& site, const Call& call) {
   format(call, {"json"});
-  return json_answer(status_info(job_or_problem(site.service.store, call.captured[0]), site.url));
+  return json_answer(
+      status_info(job_status_or_problem(site.service.store, call.captured[0]), site.url));
 }
 
 Answer delete_job(Site& site, const Call& call) {
   const std::string& id = call.captured[0];
-  job_or_problem(site.service.store, id);
+  job_status_or_problem(site.service.store, id);
   site.service.dispatcher.dismiss(id);
-  return json_answer(status_info(job_or_problem(site.service.store, id), site.url));
+  return json_answer(status_info(job_status_or_problem(site.service.store, id), site.url));
 }
 
 Answer post_retry(Site& site, const Call& call) {

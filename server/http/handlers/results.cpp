@@ -22,8 +22,8 @@ namespace {
 using nlohmann::json;
 
 /// @throws Problem where the job has no results, or none yet
-db::JobRecord finished_job(const Site& site, const std::string& id) {
-  auto job = job_or_problem(site.service.store, id);
+db::JobStatus finished_job(const Site& site, const std::string& id) {
+  auto job = job_status_or_problem(site.service.store, id);
   switch (job.state) {
     case db::JobState::accepted:
     case db::JobState::running:
@@ -40,7 +40,7 @@ db::JobRecord finished_job(const Site& site, const std::string& id) {
 }
 
 /// Results of a finished job never change; a retry changes `updated`.
-std::string tag_of(const db::JobRecord& job, const std::string& format) {
+std::string tag_of(const db::JobStatus& job, const std::string& format) {
   return "\"" + job.id + "-" + job.updated + "-" + format + "\"";
 }
 
@@ -50,14 +50,14 @@ const char* media_type_of(const std::string& format) {
 }
 
 /// A whole job in one page: a layout has a limit of its own.
-db::PageFilter all_of(const db::JobRecord& job) {
+db::PageFilter all_of(const db::JobStatus& job) {
   db::PageFilter filter;
   filter.job = job.id;
   filter.limit = 1'000'000;
   return filter;
 }
 
-json rows_of(Site& site, const db::JobRecord& job, const std::vector<db::SectionRecord>& sections) {
+json rows_of(Site& site, const db::JobStatus& job, const std::vector<db::SectionRecord>& sections) {
   json rows = json::array();
   const std::string own = site.url + "/jobs/" + job.id + "/sections/";
   const auto raster = site.service.store.raster(job.raster);
@@ -72,7 +72,7 @@ json rows_of(Site& site, const db::JobRecord& job, const std::vector<db::Section
   return rows;
 }
 
-Answer file_answer(Site& site, const Call& call, const db::JobRecord& job,
+Answer file_answer(Site& site, const Call& call, const db::JobStatus& job,
                    const std::string& wanted) {
   const auto kind = profiles::export_format_from(wanted).value();
   const std::string tag = tag_of(job, wanted);
@@ -95,7 +95,7 @@ json wanted_of(json outputs, const ExecuteOptions& options) {
   return wanted;
 }
 
-json outputs_of(Site& site, const db::JobRecord& job) {
+json outputs_of(Site& site, const db::JobStatus& job) {
   const db::Turns::Turn turn(site.pages);
   json outputs = {{"sections", rows_of(site, job, site.service.store.section_page(all_of(job)))}};
   if (epsg_of(site.service.store, job) != 0) {
@@ -121,12 +121,13 @@ Answer get_results(Site& site, const Call& call) {
   if (!own_form && wanted != "json") return file_answer(site, call, job, wanted);
   const std::string tag = tag_of(job, wanted);
   if (has_already(call, tag)) return not_modified(tag);
+  const auto asked = job_or_problem(site.service.store, job.id);
   Answer answer;
   if (own_form) {
-    answer.body = process->results(job, site.service.store.sections(job.id), wanted);
+    answer.body = process->results(asked, site.service.store.sections(job.id), wanted);
   }
   if (wanted == "json") {
-    const ExecuteOptions options = execute_options_of(job.request);
+    const ExecuteOptions options = execute_options_of(asked.request);
     json outputs = own_form ? json::parse(answer.body) : outputs_of(site, job);
     answer = json_answer(wanted_of(std::move(outputs), options));
   }
@@ -137,7 +138,7 @@ Answer get_results(Site& site, const Call& call) {
 
 Answer get_sections(Site& site, const Call& call) {
   format(call, {"json"});
-  const auto job = job_or_problem(site.service.store, call.captured[0]);
+  const auto job = job_status_or_problem(site.service.store, call.captured[0]);
   db::PageFilter page;
   page.job = job.id;
   const int limit = whole_number(call, "limit", 10'000, 1, 10'000);
@@ -172,7 +173,7 @@ Answer get_section(Site& site, const Call& call) {
   const auto found = sections_or_problem(site.service.store, call.captured[0], {call.captured[1]});
   json document = section_detail(found.front(), site.service.data);
   const auto raster =
-      site.service.store.raster(job_or_problem(site.service.store, call.captured[0]).raster);
+      site.service.store.raster(job_status_or_problem(site.service.store, call.captured[0]).raster);
   document["dem_sha256"] = raster ? json(raster->sha256) : json();
   return json_answer(document);
 }
@@ -202,7 +203,7 @@ Answer get_compare(Site& site, const Call& call) {
   const bool curves = choice(call, "of", {"profiles", "curves"}) == "curves";
   const auto sections = sections_or_problem(site.service.store, call.captured[0], names);
   const db::Store& store = site.service.store;
-  auto ensembles = ensembles_of(store, job_or_problem(store, call.captured[0]), sections);
+  auto ensembles = ensembles_of(store, job_status_or_problem(store, call.captured[0]), sections);
   if (ensembles.size() < sections.size()) ensembles.clear();  // they are told together or not
   if (curves && ensembles.empty()) {
     throw Problem(Failure::no_such_result,

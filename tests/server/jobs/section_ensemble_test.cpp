@@ -121,7 +121,9 @@ TEST_F(EnsembleJob, SaysNothingBeforeItsFirstLook) {
   end(0, 15, [](std::size_t) { return 10; });
   EXPECT_FALSE(ensemble().ensemble);
   db::JobRecord plain = job;
+  plain.id = "plain";
   plain.request = tests::simulate_request();
+  store.add_job(plain);
   EXPECT_THROW(ensemble_or_problem(store, plain), Problem);
 }
 
