@@ -1,5 +1,7 @@
 #include "server/layers/rasters.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -81,22 +83,35 @@ std::mutex& names_and_files() {
   return one;
 }
 
+constexpr const char* hillshade_ending = ".hillshade.png";
+
+void remove_hillshades(const DataFolder& data, const std::string& id) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(data.rasters(), ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(id) && name.ends_with(hillshade_ending)) {
+      std::filesystem::remove(entry.path(), ignored);
+    }
+  }
+}
+
 /// First the file, then the row.
 db::RasterRecord put_in_place(const DataFolder& data, db::Store& store, const Checked& checked,
                               const std::string& name) {
   db::RasterRecord record = checked.record;
   record.name = name;
   std::filesystem::rename(checked.written->file, data.root() / record.file);
-  std::error_code ignored;
-  std::filesystem::remove(hillshade_file(data, record.id), ignored);
+  remove_hillshades(data, record.id);
   store.add_raster(record);
   return record;
 }
 
 }  // namespace
 
-std::filesystem::path hillshade_file(const DataFolder& data, const std::string& id) {
-  return data.rasters() / (id + ".hillshade.png");
+std::filesystem::path hillshade_file(const DataFolder& data, const db::RasterRecord& raster) {
+  std::string name = raster.id;
+  if (raster.undeclared_fill_m) name += fmt::format("-without-{}", *raster.undeclared_fill_m);
+  return data.rasters() / (name + hillshade_ending);
 }
 
 bool is_raster_name(const std::string& name) {
@@ -179,7 +194,7 @@ void remove_raster(const DataFolder& data, db::Store& store, const std::string& 
   // First the row, then the files: what is left over does no harm.
   std::error_code ignored;
   std::filesystem::remove(data.root() / raster.file, ignored);
-  std::filesystem::remove(hillshade_file(data, raster.id), ignored);
+  remove_hillshades(data, raster.id);
 }
 
 void read_nodata(const std::string& text, RegisterOptions& options) {

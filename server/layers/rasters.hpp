@@ -40,8 +40,10 @@ void remove_raster(const DataFolder& data, db::Store& store, const std::string& 
 /// @throws Problem where there is none, or it was removed
 db::RasterRecord raster_or_problem(const db::Store& store, const std::string& id);
 
-/// Where the picture of a raster is kept once it was asked for.
-std::filesystem::path hillshade_file(const DataFolder& data, const std::string& id);
+/// Where the picture of a raster is kept once it was asked for. What counts as missing may be said
+/// anew of the same cells, and is a part of the name: a picture that is being drawn then is no
+/// picture of the raster as it is now.
+std::filesystem::path hillshade_file(const DataFolder& data, const db::RasterRecord& raster);
 
 /// What nodata= and --nodata say: a number, or "none" where every value is ground.
 /// @throws Problem where it is neither

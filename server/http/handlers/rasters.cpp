@@ -160,23 +160,21 @@ Answer delete_raster(Site& site, const Call& call) {
 
 Answer get_hillshade(Site& site, const Call& call) {
   const auto raster = raster_or_problem(site.service.store, call.captured[0]);
-  // The id is a part of the file's hash; what counts as missing may be said anew.
-  std::string tag = "\"" + raster.id;
-  if (raster.undeclared_fill_m) tag += "-" + show(*raster.undeclared_fill_m);
-  tag += '"';
+  const auto file = hillshade_file(site.service.data, raster);
+  const std::string tag = '"' + file.filename().string() + '"';
   if (has_already(call, tag)) return not_modified(tag);
   Answer answer;
   answer.headers.emplace_back("ETag", tag);
   answer.type = "image/png";
-  answer.file = hillshade_file(site.service.data, raster.id);
+  answer.file = file;
   answer.headers.emplace_back("Cache-Control", "max-age=86400");
-  const db::Turns::Turn turn(site.hillshades);  // the second of two first viewers finds it there
-  if (!std::filesystem::exists(answer.file)) {
-    profiles::DemOptions options;
-    options.missing_m = raster.undeclared_fill_m;
-    const auto dem = profiles::Dem::open(site.service.data.root() / raster.file, options);
-    profiles::write_hillshade(dem, answer.file);
-  }
+  if (std::filesystem::exists(file)) return answer;
+  const db::Turns::Turn turn(site.hillshades);
+  if (std::filesystem::exists(file)) return answer;  // another viewer had the turn before
+  profiles::DemOptions options;
+  options.missing_m = raster.undeclared_fill_m;
+  const auto dem = profiles::Dem::open(site.service.data.root() / raster.file, options);
+  profiles::write_hillshade(dem, file);
   return answer;
 }
 

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "server/http/routes.hpp"
+#include "server/layers/rasters.hpp"
 #include "tests/db/samples.hpp"
 #include "tests/server/http/http_fixture.hpp"
 
@@ -45,8 +46,7 @@ class RangesOverHttp : public HttpServerTest {
     const auto raster = db::samples::raster();
     service.store.add_raster(raster);
     for (int i = 0; i < 200'000; ++i) picture += static_cast<char>('a' + i % 23);
-    std::ofstream(service.data.rasters() / (raster.id + ".hillshade.png"), std::ios::binary)
-        << picture;
+    std::ofstream(hillshade_file(service.data, raster), std::ios::binary) << picture;
   }
   httplib::Result get(const std::string& path, const std::string& range) {
     return client.Get(path, {{"Range", range}});
@@ -62,6 +62,14 @@ TEST_F(RangesOverHttp, APartOfAFileIsToldAsAPart) {
   EXPECT_EQ(part->get_header_value("Content-Range"), "bytes 100000-199998/200000");
   EXPECT_EQ(part->get_header_value("Content-Length"), "99999");
   EXPECT_EQ(part->body, picture.substr(100'000, 99'999));
+}
+
+TEST_F(RangesOverHttp, APictureThatStandsDoesNotWaitForOneThatIsDrawn) {
+  const db::Turns::Turn another_is_drawn(site.hillshades);
+  client.set_read_timeout(std::chrono::seconds(5));
+  const auto answer = client.Get(picture_path);
+  ASSERT_TRUE(answer) << "it waits for its turn";
+  EXPECT_EQ(answer->body, picture);
 }
 
 TEST_F(RangesOverHttp, ADownloadThatWasCutOffGoesOn) {

@@ -100,6 +100,17 @@ TEST_F(RastersTest, ThatACellIsGroundCanBeSaidLater) {
   EXPECT_FALSE(store.raster("a")->undeclared_fill_m);
 }
 
+TEST_F(RastersTest, APictureDrawnWhileCellsBecameGroundIsNotShown) {
+  const auto first = register_raster(data, store, bank(10), "a", mtm8);
+  const auto drawn_late = hillshade_file(data, first);
+  read_nodata("none", mtm8);
+  const auto again = register_raster(data, store, bank(10), "a", mtm8);
+  std::ofstream(drawn_late) << "half of it transparent";
+  EXPECT_FALSE(std::filesystem::exists(hillshade_file(data, again)));
+  remove_raster(data, store, again.id);
+  EXPECT_FALSE(std::filesystem::exists(drawn_late));
+}
+
 TEST_F(RastersTest, NodataIsANumberOrNone) {
   RegisterOptions options;
   read_nodata("", options);
