@@ -85,10 +85,10 @@ void refuse_too_large(const Service& service, const Work& work,
   }
 }
 
-/// A job that is being laid out counts as one that is unfinished: however many are sent at once,
-/// no more are taken than may be unfinished.
-/// @return held while it is laid out
-Slots::Slot layout_slot(Service& service) {
+/// A job that is being laid out or put back counts as one that is unfinished: however many are sent
+/// at once, no more are taken than may be unfinished.
+/// @return held until it stands in the store as unfinished
+Slots::Slot slot_of_new_job(Service& service) {
   auto slot = service.layouts.take();
   if (!slot) throw Problem(Failure::too_busy, "other jobs are being laid out: try again soon");
   db::JobFilter unfinished;
@@ -151,7 +151,7 @@ Service::Service(const std::filesystem::path& data_folder, const ServiceOptions&
 Submitted submit(Service& service, const Process& process, const std::string& request,
                  const std::string& key) {
   if (auto stood = stored_reply(service.store, process, request, key)) return *stood;
-  const auto slot = layout_slot(service);
+  const auto slot = slot_of_new_job(service);
   const auto work = opened(service, process, request);
   const auto sections = work->plan();
   refuse_too_large(service, *work, sections);
@@ -177,7 +177,7 @@ Submitted submit(Service& service, const Process& process, const std::string& re
 }
 
 nlohmann::json dry_run(Service& service, const Process& process, const std::string& request) {
-  const auto slot = layout_slot(service);
+  const auto slot = slot_of_new_job(service);
   const auto work = opened(service, process, request);
   auto sections = work->plan();
   refuse_too_large(service, *work, sections);
@@ -195,6 +195,7 @@ db::JobStatus retry(Service& service, const std::string& id) {
     throw Problem(Failure::wrong_state, "the DEM of job " + id + " was removed on " +
                                             raster->removed + ": register it again first");
   }
+  const auto slot = slot_of_new_job(service);
   if (service.store.retry_job(id) == 0) {
     throw Problem(Failure::wrong_state, "no section of job " + id + " failed");
   }

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <thread>
 
+#include "tests/db/samples.hpp"
 #include "tests/server/http/http_fixture.hpp"
 #include "tests/server/run_fixture.hpp"
 
@@ -166,6 +167,28 @@ TEST_F(HttpServerTest, ADryRunIsUnderTheLimitsOfJobs) {
   expect_problem(ask(), 429, "a job would not be taken either");
   own.store.set_job_state("open", db::JobState::failed, "");
   EXPECT_EQ(ask()->status, 200);
+}
+
+TEST_F(HttpServerTest, ARetryIsUnderTheLimitOfUnfinishedJobs) {
+  ServiceOptions few = options();
+  few.limits.unfinished_jobs = 1;
+  const tests::TemporaryFolder own_folder;
+  Service own{own_folder.path(), few};
+  Site own_site{own};
+  HttpServer own_http{own_site, {"127.0.0.1", 0}};
+  db::JobRecord job;
+  job.process = "simulate-section";
+  for (const char* id : {"open", "failed"}) {
+    job.id = id;
+    own.store.add_job(job);
+  }
+  own.store.set_sections("failed", {db::samples::section("AA'", 0)});
+  own.store.set_job_state("failed", db::JobState::failed, "");
+  httplib::Client other(own_site.url);
+  expect_problem(other.Post("/jobs/failed/retry"), 429, "a job is unfinished");
+  EXPECT_EQ(own.store.job("failed")->state, db::JobState::failed);
+  own.store.set_job_state("open", db::JobState::failed, "");
+  EXPECT_EQ(other.Post("/jobs/failed/retry")->status, 200);
 }
 
 TEST_F(HttpServerTest, AJobOfTooManyParticlesIsRefused) {
