@@ -11,7 +11,7 @@ namespace leda::tests {
 class SmallDisk {
  public:
   /// Mounts a tmpfs of that size on the folder, which is made. Without the right to mount (root)
-  /// the folder stays as it is, and is_mounted() says so; so it does at a size of 0.
+  /// the folder stays as it is, which is_mounted() tells; so it does at a size of 0.
   SmallDisk(std::filesystem::path folder, std::size_t megabytes);
   ~SmallDisk();
   SmallDisk(const SmallDisk&) = delete;
