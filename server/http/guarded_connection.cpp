@@ -6,11 +6,6 @@
 #include <string>
 
 namespace leda::server {
-namespace {
-
-constexpr double least_bytes_a_ms = 1.024;  // a kilobyte a second
-
-}  // namespace
 
 void send_and_forget(int socket, int status, const char* title, const char* more_headers) {
   const std::string body = "{\"type\":\"about:blank\",\"title\":\"" + std::string(title) +
@@ -32,6 +27,12 @@ bool GuardedConnection::wait_for(short events, Milliseconds most) const {
   return poll(&one, 1, static_cast<int>(most.count())) > 0;
 }
 
+bool GuardedConnection::await_request(Milliseconds most) {
+  if (!has_unread() && !wait_for(POLLIN, most)) return false;
+  request_ = {};
+  return true;
+}
+
 bool GuardedConnection::is_readable() const {
   return !broken_off_ && (at_ < end_ || wait_for(POLLIN, limits_.pause));
 }
@@ -49,16 +50,18 @@ void GuardedConnection::break_off(int status, const char* title) {
   broken_off_ = true;
 }
 
-bool GuardedConnection::is_too_slow(std::size_t bytes) const {
-  const auto took = std::chrono::duration_cast<Milliseconds>(Clock::now() - started_);
-  if (in_header_) return took > limits_.header_time;
-  const auto beyond = took - limits_.grace;
-  return static_cast<double>(beyond.count()) * least_bytes_a_ms > static_cast<double>(bytes);
+/// Of a body or an answer.
+bool GuardedConnection::is_too_slow(Milliseconds took, std::size_t bytes) const {
+  const std::chrono::duration<double> beyond = took - limits_.grace;
+  return beyond.count() * static_cast<double>(limits_.least_bytes_a_s) > static_cast<double>(bytes);
 }
 
 bool GuardedConnection::fill() {
-  if (started_ == Clock::time_point{}) started_ = Clock::now();
-  if (is_too_slow(body_bytes_) || !wait_for(POLLIN, limits_.pause)) {
+  if (request_.started == Clock::time_point{}) request_.started = Clock::now();
+  const auto took = std::chrono::duration_cast<Milliseconds>(Clock::now() - request_.started);
+  const bool too_slow =
+      request_.in_header ? took > limits_.header_time : is_too_slow(took, request_.body_bytes);
+  if (too_slow || !wait_for(POLLIN, limits_.pause)) {
     break_off(408, "Request Timeout");
     return false;
   }
@@ -70,17 +73,17 @@ bool GuardedConnection::fill() {
 }
 
 bool GuardedConnection::header_is_within_limits(char next) {
-  if (++header_bytes_ > limits_.header_bytes) {
+  if (++request_.header_bytes > limits_.header_bytes) {
     break_off(431, "Request Header Fields Too Large");
     return false;
   }
   if (next == '\n') {
-    if (++line_ends_ == 2) {
-      in_header_ = false;
-      started_ = Clock::now();
+    if (++request_.line_ends == 2) {
+      request_.in_header = false;
+      request_.started = Clock::now();
     }
   } else if (next != '\r') {
-    line_ends_ = 0;
+    request_.line_ends = 0;
   }
   return true;
 }
@@ -91,8 +94,8 @@ ssize_t GuardedConnection::read(char* to, std::size_t size) {
   std::size_t count = 0;
   while (count < size && at_ < end_) {
     const char next = buffer_[at_++];
-    if (in_header_ && !header_is_within_limits(next)) return -1;
-    if (!in_header_) ++body_bytes_;
+    if (request_.in_header && !header_is_within_limits(next)) return -1;
+    if (!request_.in_header) ++request_.body_bytes;
     to[count++] = next;
   }
   return static_cast<ssize_t>(count);
@@ -103,26 +106,14 @@ ssize_t GuardedConnection::write(const char* from, std::size_t size) {
   if (broken_off_) return static_cast<ssize_t>(size);
   const auto before = Clock::now();
   const bool ready = wait_for(POLLOUT, limits_.pause);
-  blocked_ += std::chrono::duration_cast<Milliseconds>(Clock::now() - before);
-  const auto beyond = blocked_ - limits_.grace;
-  if (!ready ||
-      static_cast<double>(beyond.count()) * least_bytes_a_ms > static_cast<double>(sent_bytes_)) {
+  request_.blocked += std::chrono::duration_cast<Milliseconds>(Clock::now() - before);
+  if (!ready || is_too_slow(request_.blocked, request_.sent_bytes)) {
     broken_off_ = true;
     return -1;
   }
   const ssize_t sent = send(socket_, from, size, MSG_NOSIGNAL);
-  if (sent > 0) sent_bytes_ += static_cast<std::size_t>(sent);
+  if (sent > 0) request_.sent_bytes += static_cast<std::size_t>(sent);
   return sent;
-}
-
-void linger(int socket) {
-  constexpr int most_reads = 1024;
-  char dropped[16'384];
-  ::shutdown(socket, SHUT_WR);
-  for (int i = 0; i < most_reads; ++i) {
-    pollfd one{socket, POLLIN, 0};
-    if (poll(&one, 1, 500) <= 0 || recv(socket, dropped, sizeof(dropped), 0) <= 0) return;
-  }
 }
 
 }  // namespace leda::server

@@ -2,15 +2,17 @@
 
 #include <arpa/inet.h>
 #include <httplib.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstring>
+#include <utility>
 
 #include "server/http/bounded_pool.hpp"
 #include "server/http/guarded_connection.hpp"
+#include "server/http/lingering_close.hpp"
 #include "server/operate/slots.hpp"
 
 // Of cpp-httplib 0.11: the private virtual process_and_close_socket(), the protected
@@ -20,7 +22,7 @@ namespace leda::server {
 namespace {
 
 constexpr int requests_of_a_connection = 1000;
-constexpr int idle_ms = 1000;  // between two requests of a connection
+constexpr std::chrono::milliseconds idle{1000};  // between two requests of a connection
 constexpr int backlog = 128;
 
 /// What a thread is to do with its connection: the library's callbacks have no room for it.
@@ -97,11 +99,6 @@ class GuardedStream final : public httplib::Stream {
   GuardedConnection& of_;
 };
 
-bool has_something_to_read(socket_t socket) {
-  pollfd one{socket, POLLIN, 0};
-  return poll(&one, 1, idle_ms) > 0;
-}
-
 }  // namespace
 
 void close_after_this_answer() { this_thread().closes_after_answer = true; }
@@ -112,7 +109,8 @@ bool has_content(const httplib::Response& response) {
 
 class GuardedHttp::Inside final : public httplib::Server {
  public:
-  Inside(const Limits& limits, std::size_t threads) : limits_(limits) {
+  Inside(const Limits& limits, std::size_t threads)
+      : limits_(limits), lingering_(limits.connections) {
     const std::size_t waiting = limits.connections > threads ? limits.connections - threads : 1;
     new_task_queue = [threads, waiting] {
       return std::make_unique<Queue>(threads, waiting).release();
@@ -133,26 +131,30 @@ class GuardedHttp::Inside final : public httplib::Server {
 
  private:
   bool process_and_close_socket(socket_t socket) override {
-    bool answered = false;
     if (this_thread().turns_away) {
       send_and_forget(socket, 503, "Too many connections", "Retry-After: 1\r\n");
-    } else {
-      const auto counted = open_.take();
-      answered = answer_requests(socket);
+      lingering_.take(socket);
+      return false;
     }
-    if (this_thread().closes_after_answer) linger(socket);
-    this_thread().closes_after_answer = false;
-    ::shutdown(socket, SHUT_RDWR);
-    ::close(socket);
+    const auto counted = open_.take();
+    GuardedConnection connection(socket, limits_);
+    const bool answered = answer_requests(connection);
+    const bool unread = std::exchange(this_thread().closes_after_answer, false) ||
+                        connection.is_broken_off() || connection.has_unread();
+    if (unread) {
+      lingering_.take(socket);
+    } else {
+      ::shutdown(socket, SHUT_RDWR);
+      ::close(socket);
+    }
     return answered;
   }
 
-  bool answer_requests(socket_t socket) {
+  bool answer_requests(GuardedConnection& connection) {
+    GuardedStream stream(connection);
     bool answered = false;
     for (int left = requests_of_a_connection; left > 0 && !ending_; --left) {
-      if (!has_something_to_read(socket)) break;
-      GuardedConnection connection(socket, limits_);
-      GuardedStream stream(connection);
+      if (!connection.await_request(idle)) break;
       bool closed = false;
       // The library's own ranges have wrong lengths beyond an end; send() has those of Leda.
       const auto without_ranges = [](httplib::Request& request) { request.ranges.clear(); };
@@ -166,6 +168,7 @@ class GuardedHttp::Inside final : public httplib::Server {
   const Limits limits_;
   socket_t listening_ = -1;
   Slots open_;
+  LingeringClose lingering_;
   std::atomic<bool> ending_{false};
 };
 

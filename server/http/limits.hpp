@@ -14,8 +14,10 @@ struct Limits {
   std::size_t header_bytes = 32 << 10;
   std::chrono::milliseconds header_time{10'000};  ///< from its first byte to its last
   std::chrono::milliseconds pause{5'000};         ///< without a byte, in either direction
-  /// Bodies and answers may take this long, and longer at a kilobyte a second or faster.
+  /// Bodies and answers may take this long, and beyond it a second for so many bytes: a document of
+  /// 16 MiB takes 18 minutes at most.
   std::chrono::milliseconds grace{30'000};
+  std::size_t least_bytes_a_s = 16 << 10;
 
   // Requests
   std::uint64_t raster_bytes = std::uint64_t{4} << 30;  ///< of a DEM's file

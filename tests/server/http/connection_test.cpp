@@ -115,6 +115,47 @@ TEST_F(ConnectionTest, ABodyThatNeverComesIsGivenUp) {
   EXPECT_TRUE(starts(silent.hear(), "HTTP/1.1 408 "));
 }
 
+TEST_F(ConnectionTest, ABodyThatTricklesIsGivenUp) {
+  const Socket slow(site.url);
+  slow.say(
+      "POST /processes/simulate-section/execution HTTP/1.1\r\nHost: localhost\r\n"
+      "Content-Length: 1000000\r\n\r\n{");
+  const auto start = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - start < 10s) {  // 4 kB/s
+    if (!slow.hear(50ms).empty() || !slow.say(std::string(200, ' '))) break;
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 5s) << "at this pace it would take 4 minutes";
+}
+
+TEST_F(ConnectionTest, WhoIsBrokenOffWhileSendingCanReadWhy) {
+  const Socket pushing(site.url);
+  const auto push = [&](const std::string& text) {
+    std::this_thread::sleep_for(100ms);  // time for a reset to come
+    EXPECT_TRUE(pushing.say(text)) << "reset by the server";
+  };
+  EXPECT_TRUE(pushing.say("GET /" + std::string(100'000, 'a')));
+  push("more");
+  push("still more");
+  EXPECT_TRUE(starts(pushing.hear(), "HTTP/1.1 431 "));
+}
+
+TEST_F(ConnectionTest, RequestsThatComeInOnePieceAreAnsweredInTurn) {
+  const Socket pushing(site.url);
+  const std::string last = "GET /nothing HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
+  pushing.say(
+      "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n"
+      "POST /processes/simulate-section/execution HTTP/1.1\r\nHost: localhost\r\n"
+      "Content-Type: application/json\r\nContent-Length: 2\r\n\r\n{}" +
+      last);
+  const std::string heard = pushing.hear();
+  std::vector<std::string> statuses;
+  for (auto at = heard.find("HTTP/1.1 "); at != std::string::npos;
+       at = heard.find("HTTP/1.1 ", at + 1)) {
+    statuses.push_back(heard.substr(at + 9, 3));
+  }
+  EXPECT_EQ(statuses, (std::vector<std::string>{"200", "400", "404"})) << heard;
+}
+
 TEST_F(ConnectionTest, WhatIsLeftOfABodyIsNotTakenForARequest) {
   const Socket pushing(site.url);
   const std::string smuggled = "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n";
@@ -172,6 +213,17 @@ TEST_F(ConnectionTest, OneConnectionTooManyIsTurnedAway) {
   const Socket later(site.url);
   later.say("GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");
   EXPECT_TRUE(starts(later.hear(), "HTTP/1.1 200 "));
+}
+
+TEST_F(ConnectionTest, WhoIsTurnedAwayWhileSendingCanReadWhy) {
+  std::vector<std::unique_ptr<Socket>> idle;
+  for (int i = 0; i < 45; ++i) idle.push_back(std::make_unique<Socket>(site.url));
+  const Socket one_more(site.url);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(one_more.say("GET /healthz HTTP/1.1\r\n")) << "reset by the server";
+    std::this_thread::sleep_for(50ms);
+  }
+  EXPECT_TRUE(starts(one_more.hear(), "HTTP/1.1 503 "));
 }
 
 TEST_F(ConnectionTest, TwoServersDoNotShareAPort) {
