@@ -8,6 +8,15 @@
 #include <utility>
 
 namespace leda::disk {
+namespace {
+
+void give_name(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::rename(from, to, error);
+  if (error) throw FileError(to.string() + " could not be written: " + error.message());
+}
+
+}  // namespace
 
 NewFile::NewFile(std::filesystem::path file) : file_(std::move(file)), part_(file_) {
   part_ += ".part";
@@ -19,16 +28,19 @@ NewFile::~NewFile() {
 }
 
 void NewFile::keep() {
-  sync_to_disk(part_);
-  keep_in_memory();
-  sync_to_disk(file_.has_parent_path() ? file_.parent_path() : ".");
+  rename_durably(part_, file_);
+  kept_ = true;
 }
 
 void NewFile::keep_in_memory() {
-  std::error_code error;
-  std::filesystem::rename(part_, file_, error);
-  if (error) throw FileError(file_.string() + " could not be written: " + error.message());
+  give_name(part_, file_);
   kept_ = true;
+}
+
+void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to) {
+  sync_to_disk(from);
+  give_name(from, to);
+  sync_to_disk(to.has_parent_path() ? to.parent_path() : ".");
 }
 
 void sync_to_disk(const std::filesystem::path& path) {

@@ -38,4 +38,7 @@ class NewFile {
 /// Brings what was written to a file or folder to the disk. @throws FileError
 void sync_to_disk(const std::filesystem::path& path);
 
+/// Brings the bytes of a file to the disk, then its new name. @throws FileError
+void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to);
+
 }  // namespace leda::disk

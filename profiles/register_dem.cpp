@@ -7,7 +7,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "disk/new_file.hpp"
 #include "disk/sha256.hpp"
+#include "disk/temporary_file.hpp"
 #include "profiles/gdal_error.hpp"
 #include "profiles/ground_scale.hpp"
 #include "profiles/safe_open.hpp"
@@ -20,22 +22,6 @@ namespace fs = std::filesystem;
 constexpr int strip_cells = 512;  // cells are copied in squares of this side
 constexpr double lowest_ground_m = -500, highest_ground_m = 9000;
 constexpr float written_nodata = -9999;
-
-// Removes what was begun where registering fails.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(fs::path path) : path_(std::move(path)) {}
-  ~TemporaryFile() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 DatasetHandle create_tiled(const fs::path& file, const Dem& dem) {
   const DemInfo& info = dem.info();
@@ -138,8 +124,8 @@ RegisteredDem register_dem(const fs::path& input, const fs::path& output, const 
                            Fills fills) {
   const Dem dem = Dem::open(input, options);
   const QuietGdal quiet;
-  const TemporaryFile tiled(output.string() + ".cells.tmp");
-  const TemporaryFile cog(output.string() + ".cog.tmp");
+  const disk::TemporaryFile tiled(output.string() + ".cells.tmp");
+  disk::NewFile cog(output);
   RegisteredDem registered;
   check_scale(dem, registered.warnings);
   RepeatedValues values;
@@ -152,13 +138,13 @@ RegisteredDem register_dem(const fs::path& input, const fs::path& output, const 
     }
     check_is_ground(values);
     cells->FlushCache();
-    write_cog(*cells, cog.path());
+    write_cog(*cells, cog.part());
   }
   // Read back before it takes its place: what cannot be read again was never registered.
   registered.info =
-      Dem::open(cog.path(), {.vertical_unit = "", .epsg = 0, .limits = options.limits}).info();
-  registered.sha256 = disk::sha256_of_file(cog.path());
-  registered.bytes = static_cast<std::int64_t>(fs::file_size(cog.path()));
+      Dem::open(cog.part(), {.vertical_unit = "", .epsg = 0, .limits = options.limits}).info();
+  registered.sha256 = disk::sha256_of_file(cog.part());
+  registered.bytes = static_cast<std::int64_t>(fs::file_size(cog.part()));
   registered.lowest_m = static_cast<double>(values.lowest());
   registered.highest_m = static_cast<double>(values.highest());
   registered.cell_ground_m = cell_on_ground(dem);
@@ -169,7 +155,7 @@ RegisteredDem register_dem(const fs::path& input, const fs::path& output, const 
   }
   registered.share_with_data = static_cast<double>(values.with_data()) /
                                (static_cast<double>(dem.info().width) * dem.info().height);
-  fs::rename(cog.path(), output);
+  cog.keep();
   return registered;
 }
 

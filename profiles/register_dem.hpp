@@ -28,9 +28,9 @@ enum class Fills {
 };
 
 /// Reads every cell of `input` and writes a Cloud Optimized GeoTIFF of float elevations in the
-/// input's own vertical unit, which it names; under a temporary name, then renamed.
-/// The same input and options give the same bytes.
-/// Warns of an undeclared fill, and where a metre of the map is none on the ground.
+/// input's own vertical unit, which it names; under a temporary name, then renamed: it is on the
+/// disk when this returns. The same input and options give the same bytes. Warns of an undeclared
+/// fill, and where a metre of the map is none on the ground.
 /// @throws DemError as Dem::open does, where the map is stretched by more than 1 % everywhere (see
 ///         ground_scale.hpp), and where no cell holds data or the elevations are not
 ///         those of ground (below -500 m or above 9000 m); `output` is then not touched

@@ -8,23 +8,13 @@
 #include <memory>
 #include <mutex>
 
+#include "disk/new_file.hpp"
+#include "disk/temporary_file.hpp"
 #include "profiles/register_dem.hpp"
 #include "server/operate/problem.hpp"
 
 namespace leda::server {
 namespace {
-
-/// A file that is removed unless it found its place.
-struct Temporary {
-  explicit Temporary(std::filesystem::path name) : file(std::move(name)) {}
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  ~Temporary() {
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-  }
-  std::filesystem::path file;
-};
 
 db::RasterRecord record_of(const profiles::RegisteredDem& dem) {
   db::RasterRecord record;
@@ -53,16 +43,17 @@ db::RasterRecord record_of(const profiles::RegisteredDem& dem) {
 
 /// A DEM that was read whole and written anew, not in its place yet.
 struct Checked {
-  std::unique_ptr<Temporary> written;
+  std::unique_ptr<disk::TemporaryFile> written;
   db::RasterRecord record;
 };
 
 Checked check(const DataFolder& data, const std::filesystem::path& file,
               const RegisterOptions& options) {
-  Checked checked{std::make_unique<Temporary>(data.uploads() / (random_hex(16) + ".tif")), {}};
+  Checked checked{std::make_unique<disk::TemporaryFile>(data.uploads() / (random_hex(16) + ".tif")),
+                  {}};
   try {
-    checked.record =
-        record_of(profiles::register_dem(file, checked.written->file, options.dem, options.fills));
+    checked.record = record_of(
+        profiles::register_dem(file, checked.written->path(), options.dem, options.fills));
   } catch (const profiles::DemError& error) {
     throw Problem(Failure::invalid_request, data.without_root(error.what()));
   }
@@ -95,12 +86,12 @@ void remove_hillshades(const DataFolder& data, const std::string& id) {
   }
 }
 
-/// First the file, then the row.
+/// First the file, brought to the disk, then the row.
 db::RasterRecord put_in_place(const DataFolder& data, db::Store& store, const Checked& checked,
                               const std::string& name) {
   db::RasterRecord record = checked.record;
   record.name = name;
-  std::filesystem::rename(checked.written->file, data.root() / record.file);
+  disk::rename_durably(checked.written->path(), data.root() / record.file);
   remove_hillshades(data, record.id);
   store.add_raster(record);
   return record;

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "disk/temporary_file.hpp"
+#include "tests/disk/synced_paths.hpp"
 #include "tests/server/temporary_folder.hpp"
 
 namespace leda::disk {
@@ -47,6 +49,27 @@ TEST(NewFile, ReplacesTheOldOneWhole) {
   write(file.part(), "new");
   file.keep();
   EXPECT_EQ(read(folder.path() / "a.txt"), "new");
+}
+
+TEST(NewFile, BytesComeToTheDiskBeforeTheNameAndTheNameToo) {
+  const tests::TemporaryFolder folder;
+  const auto from = folder.path() / "a", to = folder.path() / "b";
+  write(from, "whole");
+  tests::take_synced_paths();
+  rename_durably(from, to);
+  EXPECT_TRUE(tests::in_order({from, folder.path()}, tests::take_synced_paths()));
+  EXPECT_EQ(read(to), "whole");
+  EXPECT_THROW(rename_durably(from, to), FileError);
+}
+
+TEST(TemporaryFile, GoesWithItsScope) {
+  const tests::TemporaryFolder folder;
+  {
+    const TemporaryFile file(folder.path() / "a");
+    write(file.path(), "for a while");
+    EXPECT_TRUE(std::filesystem::exists(file.path()));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(NewFile, KeepingWhatWasNeverWrittenNamesTheFile) {

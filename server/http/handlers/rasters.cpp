@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "disk/temporary_file.hpp"
 #include "profiles/hillshade.hpp"
 #include "profiles/proj4_text.hpp"
 #include "server/documents/json_syntax.hpp"
@@ -53,46 +54,27 @@ json document_of(const db::RasterRecord& raster, const std::string& url) {
          {"type", "image/png"}}}}};
 }
 
-/// The body of the call in a file, for as long as this lives.
-class Upload {
- public:
-  Upload(const Call& call, std::filesystem::path file, std::uint64_t most_bytes)
-      : file_(std::move(file)) {
-    std::ofstream out(file_, std::ios::binary);
-    const bool whole = call.body([&](const char* data, std::size_t size) {
-      bytes_ += size;
-      if (bytes_ > most_bytes) return true;  // read and dropped
-      return static_cast<bool>(out.write(data, static_cast<std::streamsize>(size)));
-    });
-    out.close();
-    if (!whole || !out) {
-      remove();
-      throw Problem(Failure::invalid_request, "the body could not be read whole");
-    }
-    if (bytes_ > most_bytes) {
-      remove();
-      throw Problem(Failure::too_large,
-                    "the DEM is larger than " + std::to_string(most_bytes) + " bytes");
-    }
-    if (bytes_ == 0) {
-      remove();
-      throw Problem(Failure::invalid_request, "the body is empty: send a GeoTIFF");
-    }
+/// @throws Problem where it could not be read whole, is empty or too large
+void write_body(const Call& call, const std::filesystem::path& file, std::uint64_t most_bytes) {
+  std::uint64_t bytes = 0;
+  std::ofstream out(file, std::ios::binary);
+  const bool whole = call.body([&](const char* data, std::size_t size) {
+    bytes += size;
+    if (bytes > most_bytes) return true;  // read and dropped
+    return static_cast<bool>(out.write(data, static_cast<std::streamsize>(size)));
+  });
+  out.close();
+  if (!whole || !out) {
+    throw Problem(Failure::invalid_request, "the body could not be read whole");
   }
-  ~Upload() { remove(); }
-  Upload(const Upload&) = delete;
-  Upload& operator=(const Upload&) = delete;
-
-  const std::filesystem::path& file() const { return file_; }
-
- private:
-  void remove() {
-    std::error_code ignored;
-    std::filesystem::remove(file_, ignored);
+  if (bytes > most_bytes) {
+    throw Problem(Failure::too_large,
+                  "the DEM is larger than " + std::to_string(most_bytes) + " bytes");
   }
-  std::filesystem::path file_;
-  std::uint64_t bytes_ = 0;
-};
+  if (bytes == 0) {
+    throw Problem(Failure::invalid_request, "the body is empty: send a GeoTIFF");
+  }
+}
 
 }  // namespace
 
@@ -110,10 +92,10 @@ Answer post_raster(Site& site, const Call& call) {
   refuse_bad_raster_name(name);
   const auto slot = site.registrations.take();  // each reads and writes a whole DEM
   if (!slot) throw Problem(Failure::too_busy, "other DEMs are being registered: try again soon");
-  const Upload upload(call, site.service.data.uploads() / (random_hex(16) + ".upload"),
-                      site.limits.raster_bytes);
+  const disk::TemporaryFile upload(site.service.data.uploads() / (random_hex(16) + ".upload"));
+  write_body(call, upload.path(), site.limits.raster_bytes);
   const auto raster =
-      register_raster(site.service.data, site.service.store, upload.file(), name, options);
+      register_raster(site.service.data, site.service.store, upload.path(), name, options);
   Answer answer = json_answer(document_of(raster, site.url), 201);
   answer.headers.emplace_back("Location", site.url + "/rasters/" + raster.id);
   return answer;

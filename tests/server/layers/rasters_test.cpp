@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <future>
 #include <latch>
 
 #include "server/operate/problem.hpp"
+#include "tests/disk/synced_paths.hpp"
 #include "tests/server/temporary_folder.hpp"
 
 namespace leda::server {
@@ -50,6 +52,18 @@ TEST_F(RastersTest, ADemIsCopiedIntoTheDataFolder) {
   EXPECT_TRUE(std::filesystem::is_empty(data.uploads()));
   ASSERT_TRUE(store.raster("a bank"));
   EXPECT_EQ(store.raster("a bank")->id, raster.id);
+}
+
+TEST_F(RastersTest, ADemIsOnTheDiskBeforeItsRow) {
+  const std::filesystem::path root = std::filesystem::canonical(data.root());
+  tests::take_synced_paths();
+  const auto raster = register_raster(data, store, bank(10), "a bank", mtm8);
+  const auto synced = tests::take_synced_paths();
+  EXPECT_TRUE(std::ranges::any_of(synced, [&](const auto& path) {
+    return path.parent_path() == root / "uploads" && path.extension() == ".tif";
+  })) << "its bytes";
+  EXPECT_TRUE(tests::in_order({root / "rasters", root / "leda.sqlite-wal"}, synced))
+      << "its name, then its row";
 }
 
 TEST_F(RastersTest, TheSameAgainChangesNothing) {

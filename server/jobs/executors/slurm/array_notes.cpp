@@ -58,7 +58,7 @@ void ArrayNotes::write(const ArrayNote& note) const {
                          {"memory_bytes", note.limits.memory_bytes},
                          {"cpu_s", note.limits.cpu_s},
                          {"folders", folders}};
-  disk::write_whole(file(note.name), document.dump(1) + "\n");
+  disk::write_durably(file(note.name), document.dump(1) + "\n");
 }
 
 void ArrayNotes::remove(const std::string& name) const {
