@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/documents/or_null.hpp"
+
 namespace leda::server {
 namespace {
 
@@ -15,8 +17,6 @@ using solver::DistanceRange;
 using solver::DistanceSummary;
 using solver::ExceedanceQuantile;
 using solver::SobolIndex;
-
-json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
 
 json to_json(const DistanceRange& range) { return {range.low_m, or_null(range.high_m)}; }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "server/documents/or_null.hpp"
 #include "solver/hindcast/weights.hpp"
 
 namespace leda::server {
@@ -19,10 +20,6 @@ using solver::Scope;
 
 /// Rows of a sample with less are left out: together they are far below what a member counts.
 constexpr double least_weight = 1e-8;
-
-json or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? json(*value) : json();
-}
 
 json to_json(const solver::Weights& weights) {
   return {{"effective_members", weights.effective}, {"pareto_k", or_null(weights.pareto_k)}};

@@ -8,6 +8,7 @@
 
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/object_reader.hpp"
+#include "server/documents/or_null.hpp"
 
 namespace leda::server {
 namespace {
@@ -93,14 +94,9 @@ Site read_site(const json& document, FaultList& faults) {
   return site;
 }
 
-json or_null(const std::optional<double>& value, double scale = 1) {
-  if (!value || !std::isfinite(*value)) return nullptr;
-  return *value * scale;
-}
-
-json or_null(const std::optional<std::array<double, 2>>& value) {
-  if (!value) return nullptr;
-  return *value;
+/// kJ of J.
+json thousandth_or_null(const std::optional<double>& value) {
+  return value ? or_null(std::optional(*value * 1e-3)) : json();
 }
 
 json document_of(const FactorsOfSafety& f) {
@@ -118,10 +114,10 @@ json document_of(const std::vector<solver::Criterion>& criteria) {
 }
 
 json document_of(const solver::RemoldingEnergies& e) {
-  return {{"complete_curve", or_null(e.complete_curve, 1e-3)},
-          {"leroueil", or_null(e.leroueil, 1e-3)},
-          {"linear", or_null(e.linear, 1e-3)},
-          {"thesis_reading", or_null(e.thesis_reading, 1e-3)}};
+  return {{"complete_curve", thousandth_or_null(e.complete_curve)},
+          {"leroueil", thousandth_or_null(e.leroueil)},
+          {"linear", thousandth_or_null(e.linear)},
+          {"thesis_reading", thousandth_or_null(e.thesis_reading)}};
 }
 
 json document_of(const solver::EmpiricalRetrogression& r) {
@@ -181,9 +177,9 @@ json to_document(const solver::ScreeningResult& r) {
           {"sensitivity", or_null(a.sensitivity)},
           {"brittleness_index", or_null(a.brittleness_index)},
           {"peak_strain", or_null(a.peak_strain)},
-          {"limit_state_energy_kJ_m3", or_null(a.limit_state_energy, 1e-3)},
-          {"potential_energy_kJ_m3", or_null(a.potential_energy, 1e-3)},
-          {"remolding_energy_kJ_m3", or_null(a.remolding.complete_curve, 1e-3)},
+          {"limit_state_energy_kJ_m3", thousandth_or_null(a.limit_state_energy)},
+          {"potential_energy_kJ_m3", thousandth_or_null(a.potential_energy)},
+          {"remolding_energy_kJ_m3", thousandth_or_null(a.remolding.complete_curve)},
           {"remolding_energy_by", document_of(a.remolding)},
           {"destruction_index", or_null(a.destruction_index)},
           {"criteria", document_of(a.criteria)},

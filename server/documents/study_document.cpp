@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "server/documents/or_null.hpp"
 #include "server/documents/study_setting.hpp"
 
 namespace leda::server {
@@ -18,8 +19,6 @@ using solver::RunError;
 using solver::SettingSummary;
 using solver::Spread;
 using solver::StudyRun;
-
-json or_null(const std::optional<double>& value) { return value ? json(*value) : json(); }
 
 json to_json(const std::optional<Spread>& spread) {
   if (!spread) return nullptr;

@@ -9,6 +9,8 @@
 #include "profiles/antimeridian.hpp"
 #include "profiles/export_layers.hpp"
 #include "server/documents/ensemble_document.hpp"
+#include "server/documents/or_null.hpp"
+#include "server/documents/points.hpp"
 #include "server/layers/region_layers.hpp"
 #include "server/operate/logging.hpp"
 
@@ -23,21 +25,10 @@ constexpr double degrees_kept = 1e8;
 
 double rounded(double degrees) { return std::round(degrees * degrees_kept) / degrees_kept; }
 
-json points(const MapLine& line) {
-  json list = json::array();
-  for (const MapPoint& p : line) list.push_back({rounded(p.x), rounded(p.y)});
-  return list;
-}
-
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
   for (const auto& part : parts) text += (text.empty() ? "" : "; ") + part;
   return text;
-}
-
-template <class T>
-json or_null(const std::optional<T>& value) {
-  return value ? json(*value) : json();
 }
 
 /// What the features of one job share.
@@ -78,9 +69,10 @@ json origin_of(const Ground& ground) {
 /// Two lines where it crosses 180 degrees.
 json line_geometry(const MapLine& degrees) {
   const auto parts = profiles::cut_at_antimeridian(degrees);
-  if (parts.size() == 1) return {{"type", "LineString"}, {"coordinates", points(parts[0])}};
+  if (parts.size() == 1)
+    return {{"type", "LineString"}, {"coordinates", points(parts[0], rounded)}};
   json lines = json::array();
-  for (const MapLine& part : parts) lines.push_back(points(part));
+  for (const MapLine& part : parts) lines.push_back(points(part, rounded));
   return {{"type", "MultiLineString"}, {"coordinates", lines}};
 }
 
@@ -116,8 +108,8 @@ json zone_as_feature(const db::ZoneRecord& record, const Ground& ground) {
   json polygons = json::array();
   for (const MapPolygon& native : zone.area) {
     for (const MapPolygon& polygon : profiles::cut_at_antimeridian(ground.to_crs84(native))) {
-      json rings = json::array({points(polygon.outer)});
-      for (const MapLine& hole : polygon.holes) rings.push_back(points(hole));
+      json rings = json::array({points(polygon.outer, rounded)});
+      for (const MapLine& hole : polygon.holes) rings.push_back(points(hole, rounded));
       polygons.push_back(rings);
     }
   }

@@ -1,21 +1,14 @@
 #include "server/operate/retention.hpp"
 
-#include <fmt/chrono.h>
-
 #include <chrono>
+
+#include "db/utc_now.hpp"
 
 namespace leda::server {
 namespace {
 
 namespace fs = std::filesystem;
 using Days = std::chrono::duration<double, std::ratio<86400>>;
-
-std::string utc_text(std::chrono::system_clock::time_point time) {
-  const auto since_1970 = std::chrono::floor<std::chrono::milliseconds>(time.time_since_epoch());
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z",
-                     fmt::gmtime(std::chrono::system_clock::to_time_t(time)),
-                     since_1970.count() % 1000);
-}
 
 std::uintmax_t bytes_in(const fs::path& folder) {
   std::uintmax_t bytes = 0;
@@ -79,7 +72,7 @@ Purged purge(const DataFolder& data, db::Store& store, double older_than_days, b
   const auto before =
       Clock::now() - std::chrono::duration_cast<Clock::duration>(Days(older_than_days));
   Purged purged;
-  for (const auto& job : store.jobs_finished_before(utc_text(before))) {
+  for (const auto& job : store.jobs_finished_before(db::utc_text(before))) {
     for (const auto& run : store.run_folders(job)) remove_folder(data.run(run), purged);
     remove_exports(data, job, purged);
     if (with_jobs && store.remove_job(job)) ++purged.jobs;

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "server/documents/points.hpp"
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/parameters.hpp"
 #include "server/http/site.hpp"
@@ -14,12 +15,6 @@ using nlohmann::json;
 
 /// To the millimetre: more digits only make the answer longer.
 double rounded(double value) { return std::round(value * 1000) / 1000; }
-
-json points(const MapLine& line) {
-  json list = json::array();
-  for (const MapPoint& p : line) list.push_back({rounded(p.x), rounded(p.y)});
-  return list;
-}
 
 /// One column a property: of ten thousand sections the names of properties would be most.
 json sections_of(const db::Store& store, const db::PageFilter& page) {
@@ -37,7 +32,7 @@ json sections_of(const db::Store& store, const db::PageFilter& page) {
     columns["name"].push_back(section.name);
     columns["line"].push_back(section.line < 0 ? json() : json(section.line));
     columns["order_m"].push_back(section.line < 0 ? json() : json(rounded(section.order)));
-    columns["trace"].push_back(points(section.trace));
+    columns["trace"].push_back(points(section.trace, rounded));
     columns["state"].push_back(db::to_string(section.state));
     columns["status"].push_back(status_of(section));
     columns["retrogression_m"].push_back(number(feature.retrogression_m));
@@ -53,8 +48,8 @@ json sections_of(const db::Store& store, const db::PageFilter& page) {
 json zone_document(const Zone& zone) {
   json polygons = json::array();
   for (const MapPolygon& polygon : zone.area) {
-    json rings = json::array({points(polygon.outer)});
-    for (const MapLine& hole : polygon.holes) rings.push_back(points(hole));
+    json rings = json::array({points(polygon.outer, rounded)});
+    for (const MapLine& hole : polygon.holes) rings.push_back(points(hole, rounded));
     polygons.push_back(std::move(rings));
   }
   json document = {{"sections", zone.sections},

@@ -7,6 +7,7 @@
 #include "profiles/map_geometry.hpp"
 #include "profiles/trace_profile.hpp"
 #include "server/documents/json_syntax.hpp"
+#include "server/documents/points.hpp"
 #include "server/documents/region_readers.hpp"
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/parameters.hpp"
@@ -45,18 +46,6 @@ SectionLayout read_layout(const json& document) {
     throw Problem(Failure::invalid_request, "the layout cannot be understood", found);
   }
   return layout;
-}
-
-json points(const MapLine& line) {
-  json list = json::array();
-  for (const MapPoint& p : line) list.push_back({p.x, p.y});
-  return list;
-}
-
-json points(const Polyline& line) {
-  json list = json::array();
-  for (const Point& p : line) list.push_back({p.x, p.z});
-  return list;
 }
 
 json row_of(const profiles::LaidSection& laid, const profiles::Dem& dem) {

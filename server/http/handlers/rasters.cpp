@@ -8,6 +8,7 @@
 #include "profiles/proj4_text.hpp"
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/object_reader.hpp"
+#include "server/documents/or_null.hpp"
 #include "server/http/handlers/handlers.hpp"
 #include "server/http/handlers/parameters.hpp"
 #include "server/http/site.hpp"
@@ -17,11 +18,6 @@ namespace leda::server {
 namespace {
 
 using nlohmann::json;
-
-template <class T>
-json or_null(const std::optional<T>& value) {
-  return value ? json(*value) : json();
-}
 
 /// Metres east and north; null where it is not known.
 json ground_cell(const db::RasterRecord& raster) {

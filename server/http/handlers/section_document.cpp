@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "server/documents/points.hpp"
 #include "server/documents/result_document.hpp"
 #include "server/layers/summary.hpp"
 
@@ -12,18 +13,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::streamoff most_log_bytes = 16'384;
-
-json points(const Polyline& line) {
-  json list = json::array();
-  for (const Point& p : line) list.push_back({p.x, p.z});
-  return list;
-}
-
-json points(const MapLine& line) {
-  json list = json::array();
-  for (const MapPoint& p : line) list.push_back({p.x, p.y});
-  return list;
-}
 
 }  // namespace
 
