@@ -121,6 +121,10 @@ class Zonation {
     return a.known && a.moved && b.known && b.moved && dot(downhill(a), downhill(b)) > 0;
   }
 
+  static bool may_move_yet(const PlacedResult& s) {
+    return s.retrogression_is == Bound::lower_bound || s.runout_is == Bound::lower_bound;
+  }
+
   // The end of a chain at section i towards the next section (side +1) or the one before (-1).
   void end_chain(Chain& chain, const std::vector<const PlacedResult*>& line, std::size_t i,
                  int side) const {
@@ -133,6 +137,11 @@ class Zonation {
     const PlacedResult& neighbour = *line[side < 0 ? i - 1 : i + 1];
     if (neighbour.known && !neighbour.moved) {
       chain.close_at(s, middle(s.toe, neighbour.toe));
+      if (may_move_yet(neighbour)) {
+        chain.warnings.push_back(neighbour.section +
+                                 " moved 0 m, which is a lower bound: the zone closes half-way to "
+                                 "it and may reach farther");
+      }
       return;
     }
     chain.extend(s, along_line(line, i, side, half_spacing(line, i, side)));

@@ -20,16 +20,18 @@ struct Options {
   bool json = false;
 };
 
-std::string number_of(const nlohmann::json& value) {
-  return value.is_number() ? fmt::format("{:+.1f} m", value.get<double>()) : "unknown";
+std::string number_of(const nlohmann::json& difference, const char* key) {
+  const auto& value = difference[key];
+  if (value.is_number()) return fmt::format("{:+.1f} m", value.get<double>());
+  return fmt::format("unknown ({})", difference["unknown"][key].get<std::string>());
 }
 
-/// "BB' against AA': retrogression -0.7 m, runout +0.1 m"
+/// "BB' against AA': retrogression -0.7 m, runout unknown (that of AA' is a lower bound)"
 std::string sentence(const nlohmann::json& difference) {
   return fmt::format("{} against {}: retrogression {}, runout {}",
                      difference["to"].get<std::string>(), difference["from"].get<std::string>(),
-                     number_of(difference["crest_to_crest_retrogression_m"]),
-                     number_of(difference["runout_m"]));
+                     number_of(difference, "crest_to_crest_retrogression_m"),
+                     number_of(difference, "runout_m"));
 }
 
 int compare(const Options& options) {

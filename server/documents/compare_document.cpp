@@ -20,15 +20,20 @@ json line_of(const Polyline& line) {
   return out;
 }
 
+struct Number {
+  const char* key;
+  double value;
+  Bound is;
+};
+
 /// What sections are compared by. A section that screening called stable has no result.
-json numbers_of(const ComparedSection& s) {
-  const SectionResult& r = *s.result;
-  return {{"crest_to_crest_retrogression_m", r.crest_to_crest_retrogression_m},
-          {"runout_m", r.runout_m},
-          {"runout_from_crest_m", r.runout_from_crest_m},
-          {"slides", r.slides},
-          {"simulated_s", r.simulated_s},
-          {"run_time_s", r.run_time_s}};
+std::vector<Number> numbers_of(const SectionResult& r) {
+  return {{"crest_to_crest_retrogression_m", r.crest_to_crest_retrogression_m, r.retrogression_is},
+          {"runout_m", r.runout_m, r.runout_is},
+          {"runout_from_crest_m", r.runout_from_crest_m, r.runout_is},
+          {"slides", double(r.slides), Bound::measured},
+          {"simulated_s", r.simulated_s, Bound::measured},
+          {"run_time_s", r.run_time_s, Bound::measured}};
 }
 
 json document_of(const ComparedSection& s) {
@@ -47,17 +52,25 @@ json document_of(const ComparedSection& s) {
   return out;
 }
 
+/// Why two numbers have no difference; empty where they have one.
+std::string why_unknown(const ComparedSection& s, const Number& number) {
+  if (!is_usable(s)) return s.name + " has no usable result";
+  if (number.is == Bound::lower_bound) return "that of " + s.name + " is a lower bound";
+  return std::isfinite(number.value) ? "" : "that of " + s.name + " is not finite";
+}
+
 json difference(const ComparedSection& from, const ComparedSection& to) {
   json out{{"from", from.name},
            {"to", to.name},
-           {"bank_height_m", (to.crest.z - to.toe.z) - (from.crest.z - from.toe.z)}};
-  const bool both = is_usable(from) && is_usable(to);
-  const json empty = numbers_of({{}, {}, {}, {}, {}, SectionResult{}, {}});
-  const json a = both ? numbers_of(from) : empty;
-  const json b = both ? numbers_of(to) : empty;
-  for (const auto& [key, value] : a.items()) {
-    const double change = b[key].get<double>() - value.get<double>();
-    out[key] = both && std::isfinite(change) ? json(change) : json(nullptr);
+           {"bank_height_m", (to.crest.z - to.toe.z) - (from.crest.z - from.toe.z)},
+           {"unknown", json::object()}};
+  const auto a = numbers_of(from.result.value_or(SectionResult{}));
+  const auto b = numbers_of(to.result.value_or(SectionResult{}));
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::string why = why_unknown(from, a[i]);
+    if (why.empty()) why = why_unknown(to, b[i]);
+    out[a[i].key] = why.empty() ? json(b[i].value - a[i].value) : json();
+    if (!why.empty()) out["unknown"][a[i].key] = why;
   }
   return out;
 }

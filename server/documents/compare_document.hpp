@@ -20,7 +20,8 @@ struct ComparedSection {
 };
 
 /// {"sections": [...], "differences": [{"from", "to", ...}]}: each section against the first,
-/// later minus first; a difference is null where one of the two has no usable result.
+/// later minus first; a difference is null where one of the two has no usable result or is a lower
+/// bound, and its "unknown" says why.
 /// @pre at least two sections
 nlohmann::json compare_json(const std::vector<ComparedSection>& sections);
 

@@ -88,6 +88,8 @@ json run_document(const CaseFile& of, const StudyRun& run, const RunError& error
   out.update({{"crest_to_crest_retrogression_m", r.crest_to_crest_retrogression_m},
               {"runout_m", r.runout_m},
               {"runout_from_crest_m", r.runout_from_crest_m},
+              {"retrogression_is", to_string(r.retrogression_is)},
+              {"runout_is", to_string(r.runout_is)},
               {"trigger_used", r.trigger_used},
               {"slides", r.slides},
               {"simulated_s", r.simulated_s},
@@ -183,7 +185,7 @@ std::string study_csv(const Study& study) {
   std::string text;
   for (const auto& axis : solver::study_axes) text += fmt::format("{},", axis.key);
   text +=
-      "seed,status,crest_to_crest_retrogression_m,runout_m,slides,"
+      "seed,status,crest_to_crest_retrogression_m,runout_m,retrogression_is,runout_is,slides,"
       "simulated_s,run_time_s,steps,particles,ns_per_particle_step,energy_error,"
       "retrogression_error,runout_error,error,reason\r\n";
   for (std::size_t i = 0; i < study.runs.size(); ++i) {
@@ -193,12 +195,13 @@ std::string study_csv(const Study& study) {
     text += fmt::format("{},", run.seed);
     if (run.result) {
       const SectionResult& r = *run.result;
-      text += fmt::format("{},{},{},{},{},{},{},{},{},{},", to_string(r.status),
-                          r.crest_to_crest_retrogression_m, r.runout_m, r.slides, r.simulated_s,
-                          r.run_time_s, r.steps, r.particles, r.ns_per_particle_step,
-                          r.balances.energy);
+      text +=
+          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},", to_string(r.status),
+                      r.crest_to_crest_retrogression_m, r.runout_m, to_string(r.retrogression_is),
+                      to_string(r.runout_is), r.slides, r.simulated_s, r.run_time_s, r.steps,
+                      r.particles, r.ns_per_particle_step, r.balances.energy);
     } else {
-      text += "no-result,,,,,,,,,,";
+      text += "no-result,,,,,,,,,,,,";
     }
     text += fmt::format("{},{},{},{}\r\n", cell(error.retrogression), cell(error.runout),
                         cell(error.of(Measure::both)),

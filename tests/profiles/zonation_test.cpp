@@ -134,6 +134,19 @@ TEST(Zonation, TowardsAStableNeighbourItClosesHalfWay) {
   }
 }
 
+// A run that reached its time limit before anything had moved.
+TEST(Zonation, TowardsANeighbourThatMayMoveYetItClosesAndSaysSo) {
+  PlacedResult unended = stable(50);
+  unended.retrogression_is = unended.runout_is = Bound::lower_bound;
+  const auto zones = make_zones({slid(0, 60, 20), unended});
+  ASSERT_EQ(zones.size(), 2U);
+  for (const Zone& zone : zones) {
+    EXPECT_EQ(zone.warnings, (std::vector<std::string>{
+                                 "S50 moved 0 m, which is a lower bound: the zone closes half-way "
+                                 "to it and may reach farther"}));
+  }
+}
+
 TEST(Zonation, TowardsAMissingNeighbourItEndsHalfWayAndSaysSo) {
   const auto zones = make_zones({slid(0, 60, 20), missing(50), slid(100, 60, 20)});
   ASSERT_EQ(zones.size(), 4U);

@@ -6,7 +6,8 @@ import {colour_sections, status_word} from './colours';
 import {profile_svg} from './drawing/profile_svg';
 import {check_rows, condition_words, decider_words, deciders, distances, has_ensemble, percent, quantile_rows,
   summary_rows} from './ensemble/numbers';
-import {bounded, number_rows, side_of} from './section/panel';
+import {bounded} from './section/bounds';
+import {number_rows, side_of} from './section/panel';
 import type {DistanceSummary, Ensemble, JobMap, ProbabilityZone, Raster, SectionDetail, Zone} from './types';
 import {show, spoken, t} from './words';
 

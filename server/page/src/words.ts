@@ -113,7 +113,7 @@ const en = {
   report_scope: 'Conditional on a slide starting at a section. No yearly probability, no regulatory class.',
   report_probability: 'Zones of probability',
   report_only: 'Profiles of the first {count} sections.', zone: 'Zone', largest: 'Largest distance', mean: 'Mean distance',
-  measured: 'measured', 'lower-bound': 'lower bound',
+  measured: 'measured', 'lower-bound': 'lower bound', unknown_for_bound: 'unknown: a lower bound',
 
   field_layers: 'Layers', field_materials: 'Materials', field_material: 'Material', field_thickness_m: 'Thickness',
   field_bottom_m: 'Bottom, elevation', field_bottom_below_toe_m: 'Bottom below the toe', field_water_table: 'Water table',
@@ -265,7 +265,7 @@ const fr: Record<Word, string> = {
   report_scope: 'Sous condition qu’un glissement parte d’un profil. Ni probabilité annuelle, ni classe réglementaire.',
   report_probability: 'Zones de probabilité',
   report_only: 'Coupes des {count} premiers profils.', zone: 'Zone', largest: 'Plus grande distance', mean: 'Distance moyenne',
-  measured: 'mesuré', 'lower-bound': 'borne inférieure',
+  measured: 'mesuré', 'lower-bound': 'borne inférieure', unknown_for_bound: 'inconnue : borne inférieure',
 
   field_layers: 'Couches', field_materials: 'Matériaux', field_material: 'Matériau', field_thickness_m: 'Épaisseur',
   field_bottom_m: 'Bas, altitude', field_bottom_below_toe_m: 'Bas sous le pied', field_water_table: 'Nappe',

@@ -53,8 +53,20 @@ TEST(CompareJson, SectionsWithoutAUsableResultHaveNoDifference) {
   EXPECT_TRUE(out["sections"][1]["result"].is_null());
   for (const json& d : out["differences"]) {
     EXPECT_TRUE(d["runout_m"].is_null());
+    EXPECT_EQ(d["unknown"]["runout_m"], d["to"].get<std::string>() + " has no usable result");
     EXPECT_EQ(d["bank_height_m"], 0);
   }
+}
+
+TEST(CompareJson, ALowerBoundHasNoDifferenceAndSaysWhy) {
+  auto sections = two_sections();
+  sections[0].result->runout_is = Bound::lower_bound;
+  const json d = compare_json(sections)["differences"][0];
+  EXPECT_TRUE(d["runout_m"].is_null());
+  EXPECT_TRUE(d["runout_from_crest_m"].is_null());
+  const std::string why = "that of AA' is a lower bound";
+  EXPECT_EQ(d["unknown"], (json{{"runout_m", why}, {"runout_from_crest_m", why}}));
+  EXPECT_NEAR(d["crest_to_crest_retrogression_m"].get<double>(), -13.2, 1e-9);
 }
 
 TEST(CompareSvg, ShowsBothSectionsWithTheirMarks) {

@@ -105,6 +105,17 @@ TEST(StudyDocument, SaysHowFarTheAnswerDependsOnEachAxisAndOnTheSeed) {
       << table;
 }
 
+TEST(StudyDocument, ARunSaysWhichOfItsDistancesAreBounds) {
+  Study study = test::some_study();
+  study.runs[1].result->runout_is = Bound::lower_bound;
+  const json run = to_document(study)["runs"][1];
+  EXPECT_EQ(run["retrogression_is"], "measured");
+  EXPECT_EQ(run["runout_is"], "lower-bound");
+  const std::string csv = study_csv(study);
+  EXPECT_NE(csv.find(",runout_m,retrogression_is,runout_is,slides,"), std::string::npos) << csv;
+  EXPECT_EQ(count(csv, ",measured,lower-bound,"), 1U) << csv;
+}
+
 TEST(StudyDocument, ARunWithoutAResultHasItsReason) {
   Study study = test::some_study();
   auto runs = study.runs;
@@ -118,9 +129,9 @@ TEST(StudyDocument, ARunWithoutAResultHasItsReason) {
   EXPECT_EQ(document["settings"][1]["runs_with_result"], 1);
   EXPECT_TRUE(
       document["settings"][1]["crest_to_crest_retrogression_m"]["standard_deviation"].is_null());
-  EXPECT_NE(
-      study_csv(study).find("1,4,0.65,0,no-result,,,,,,,,,,,,,\"the worker died, \"\"early\"\"\""),
-      std::string::npos)
+  EXPECT_NE(study_csv(study).find(
+                "1,4,0.65,0,no-result,,,,,,,,,,,,,,,\"the worker died, \"\"early\"\"\""),
+            std::string::npos)
       << study_csv(study);
 }
 
@@ -133,7 +144,7 @@ TEST(StudyDocument, EveryLineOfTheTableOfRunsHasAllColumns) {
   std::size_t begin = 0;
   for (auto end = csv.find("\r\n"); end != std::string::npos; end = csv.find("\r\n", begin)) {
     const std::string line = csv.substr(begin, end - begin);
-    EXPECT_EQ(std::ranges::count(line, ','), 17) << line;
+    EXPECT_EQ(std::ranges::count(line, ','), 19) << line;
     begin = end + 2;
   }
 }

@@ -11,6 +11,7 @@ import {Report, button, facts, warnings} from '../steps/parts';
 import type {SectionDetail, XY} from '../types';
 import {show, t} from '../words';
 import {animation} from './animation';
+import {bounded} from './bounds';
 import {ensemble_tab} from './ensemble_tab';
 
 export function side_of(section: SectionDetail): Side {
@@ -19,12 +20,6 @@ export function side_of(section: SectionDetail): Side {
     before: section.profile_before, after: section.profile_after, crest: section.crest_m, toe: section.toe_m,
     backscarp: slid ? section.result?.backscarp_m : null, front: slid ? section.result?.front_m : null,
   };
-}
-
-/** "≥ 103.2 m" where the number is a bound. */
-export function bounded(value: number | null, is: string | null, unit = 'm'): string {
-  if (value === null) return '–';
-  return `${is === 'lower-bound' ? `${t('at_least')} ` : ''}${show(value)} ${unit}`;
 }
 
 function audit(value: number | undefined): string | null {

@@ -7,7 +7,8 @@ import {fill, h, save} from '../dom';
 import {exceedance_figure} from '../drawing/exceedance_plot';
 import {extent_of, profile_svg} from '../drawing/profile_svg';
 import {condition_words, distance_words, distances, has_ensemble, percent, quantile_difference} from '../ensemble/numbers';
-import {bounded, side_of} from '../section/panel';
+import {bounded, difference_words} from '../section/bounds';
+import {side_of} from '../section/panel';
 import {on, state} from '../state';
 import type {Ensemble, Job, JobMap, SectionDetail} from '../types';
 import {show, t} from '../words';
@@ -64,7 +65,7 @@ function difference_table(a: SectionDetail, b: SectionDetail): HTMLElement {
     const [x, y] = [of(a), of(b)];
     return h('tr', {}, h('th', {scope: 'row'}, name), h('td', {class: 'number'}, bounded(x, is(a), unit)),
       h('td', {class: 'number'}, bounded(y, is(b), unit)),
-      h('td', {class: 'number'}, x === null || y === null ? '–' : `${y > x ? '+' : ''}${show(y - x)} ${unit}`));
+      h('td', {class: 'number'}, difference_words({value: x, is: is(a)}, {value: y, is: is(b)}, unit)));
   };
   const measured = () => null;
   return h('table', {}, h('thead', {}, h('tr', {}, h('td', {}), [a.name, b.name, t('difference')].map((name) => h('th',
