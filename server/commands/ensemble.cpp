@@ -107,7 +107,7 @@ int run(const Options& options) {
     return int(ExitCode::result);
   }
   const InterruptSignals signals;
-  ProgressLine line(options.runs.json);
+  ProgressLine line;
   fs::create_directories(options.runs.out);
   LocalExecutor executor(program_beside(), workers_or_cores(options.runs.workers));
   RunsListener listener;

@@ -80,13 +80,14 @@ std::string with_registered_dem(Service& service, const std::string& text, const
 }
 
 /// Waits for the end of a job.
-db::JobStatus follow(const Service& service, const std::string& id, bool silent) {
-  ProgressLine line(silent);
+db::JobStatus follow(const Service& service, const std::string& id) {
+  ProgressLine line;
   for (;;) {
     auto job = job_status_or_problem(service.store, id);
-    line.show(fmt::format("{:3d} %  {}", job.progress, job.message));
+    const std::string so_far = fmt::format("{:3d} %  {}", job.progress, job.message);
+    line.show(so_far);
     if (db::is_final(job.state)) {
-      line.end();
+      line.end_with(so_far);
       return job;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
@@ -102,7 +103,7 @@ int map_region(const Options& options) {
     return 0;
   }
   const auto submitted = submit(service, *find_process("map-region"), request, "");
-  const auto job = follow(service, submitted.job.id, options.json);
+  const auto job = follow(service, submitted.job.id);
   const auto sections = service.store.sections(job.id);
   if (options.json) {
     json rows = json::array();

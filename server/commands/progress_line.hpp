@@ -9,9 +9,10 @@ namespace leda::server {
 
 class ProgressLine {
  public:
-  /// @param silent shows nothing
+  /// @param silent shows nothing; JSON on standard output is no reason to be
   /// @param between lines where there is no terminal; the first comes after it
-  explicit ProgressLine(bool silent, std::chrono::milliseconds between = std::chrono::seconds(10));
+  explicit ProgressLine(bool silent = false,
+                        std::chrono::milliseconds between = std::chrono::seconds(10));
 
   void show(const std::string& text);
   /// Goes on to the next line of a terminal, where one was begun.

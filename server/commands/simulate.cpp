@@ -84,7 +84,7 @@ int simulate(const Options& options) {
   const InterruptSignals signals;
   // A limit on the size of files then tells itself as an error, like a full disk.
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
-  ProgressLine progress(options.json || options.no_progress);
+  ProgressLine progress(options.no_progress);
   RunOptions run_options;
   run_options.precision =
       options.full ? Precision::double_precision : precision_from(options.precision).value();
@@ -94,9 +94,10 @@ int simulate(const Options& options) {
   run_options.say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   run_options.keep_checkpoint = options.keep_checkpoint;
   run_options.checkpoint_interval_s = options.checkpoint_interval_s;
-  run_options.progress = [&progress](const solver::Progress& p) { progress.show(text_of(p)); };
+  std::string so_far;
+  run_options.progress = [&](const solver::Progress& p) { progress.show(so_far = text_of(p)); };
   const RunOutcome outcome = run(options, run_options);
-  progress.end();
+  progress.end_with(so_far);
 
   for (const Fault& fault : outcome.faults) {
     fmt::print(stderr, "{}: {}\n", fault.pointer.empty() ? "/" : fault.pointer, fault.message);

@@ -65,7 +65,7 @@ void leave(const Study& study, const fs::path& out) {
 int run(const Options& options) {
   StudyFile asked = read_study(options.study);
   const InterruptSignals signals;
-  ProgressLine line(options.json);
+  ProgressLine line;
   fs::create_directories(options.out);
   LocalExecutor executor(program_beside(), workers_of(options, asked));
   RunsListener listener;

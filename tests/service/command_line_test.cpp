@@ -9,6 +9,7 @@
 #include "tests/server/temporary_folder.hpp"
 #include "tests/service/leda_process.hpp"
 #include "tests/service/region_on_a_bank.hpp"
+#include "tests/service/small_bank.hpp"
 
 namespace leda::tests {
 namespace {
@@ -177,6 +178,29 @@ TEST_F(CommandLine, AMapIsMadeComparedAndExported) {
 
   EXPECT_EQ(run_leda({"compare", job, "AA'", "ZZ", "--data", data()}).exit_code, 2);
   EXPECT_EQ(run_leda({"export", "none", "--data", data(), "--out", "x.gpkg"}).exit_code, 2);
+}
+
+// Standard error is free: who sends the JSON to a file sees there how far it is.
+TEST_F(CommandLine, ProgressIsToldBesideJson) {
+  register_bank();
+  json request = bank_region();
+  request["inputs"]["sections"].erase(2);
+  const Output map =
+      run_leda({"map", region_file(request), "--data", data(), "--workers", "2", "--json"});
+  ASSERT_EQ(map.exit_code, 0) << map.errors;
+  EXPECT_NE(map.errors.find("100 %  2 sections"), std::string::npos) << map.errors;
+  EXPECT_EQ(json::parse(map.text)["sections"].size(), 2U);
+
+  const auto file = folder.path() / "case.json";
+  std::ofstream(file) << small_bank().dump();
+  const std::string out = (folder.path() / "out").string();
+  const Output run = run_leda({"simulate", file.string(), "--out", out, "--json"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_NE(run.errors.find(" %  "), std::string::npos) << run.errors;
+  EXPECT_EQ(json::parse(run.text)["status"], "at-rest");
+  const Output silent =
+      run_leda({"simulate", file.string(), "--out", out + "-silent", "--json", "--no-progress"});
+  EXPECT_EQ(silent.errors, "");
 }
 
 // Clay far stronger than its bank: screened, stored, shown, and not simulated; where screening is

@@ -48,6 +48,7 @@ class EnsembleOfABank : public testing::Test {
 TEST_F(EnsembleOfABank, LeavesNumbersMembersAndADrawing) {
   const Output done = run_leda({"ensemble", file(bank()), "--out", out().string(), "--json"});
   ASSERT_EQ(done.exit_code, 0) << done.errors;
+  EXPECT_NE(done.errors.find(" runs done"), std::string::npos) << done.errors;
   const json document = json::parse(done.text);
   EXPECT_EQ(document["members"], 32);
   EXPECT_EQ(document["ended_by"], "max-members");

@@ -74,6 +74,7 @@ TEST_F(HindcastOfBanks, LeavesNumbersMembersAndADrawing) {
   const Output done =
       run_leda({"hindcast", file("hindcast.json", document), "--out", out().string(), "--json"});
   ASSERT_EQ(done.exit_code, 0) << done.errors;
+  EXPECT_NE(done.errors.find("wave "), std::string::npos) << done.errors;
   const json said = json::parse(done.text);
   EXPECT_EQ(said, json::parse(text_of(out() / "hindcast.json")));
   EXPECT_EQ(said["slides"].size(), 2U);

@@ -86,6 +86,7 @@ TEST_F(StudyOfABank, ComesOnTheCommandLineAndGoesOnWhereItWas) {
   const json before = json::parse(std::ifstream(folder.path() / "out" / "study.json"));
   const Output second = run_leda({"study", study, "--out", out(), "--json"});
   ASSERT_EQ(second.exit_code, 0) << second.errors;
+  EXPECT_NE(second.errors.find("4 of 4 runs done"), std::string::npos) << second.errors;
   const json after = json::parse(second.text);
   ASSERT_EQ(after["runs"].size(), 4U);
   EXPECT_EQ(after["runs"][2], before["runs"][2]);
