@@ -9,6 +9,7 @@
 #include "server/commands/folder_runs.hpp"
 #include "server/commands/progress_line.hpp"
 #include "server/documents/ensemble_case.hpp"
+#include "server/documents/member_warnings.hpp"
 #include "server/drawings/ensemble_drawing.hpp"
 #include "server/jobs/ensemble_folder.hpp"
 #include "server/jobs/executors/local_executor.hpp"
@@ -18,6 +19,7 @@
 #include "server/operate/version.hpp"
 #include "server/run/interrupt_signals.hpp"
 #include "server/run/run_folder.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -67,7 +69,8 @@ RunCost cost_of(const EnsembleCase& ensemble, std::size_t members) {
   return all;
 }
 
-void show_dry_run(const EnsembleCase& ensemble, bool as_json) {
+void show_dry_run(const EnsembleCase& ensemble, const std::vector<std::string>& warnings,
+                  bool as_json) {
   const auto& plan = ensemble.asked.plan;
   const auto [least, most] = std::pair(plan.stop.min_members, plan.stop.max_members);
   const std::size_t least_runs = member_runs(plan, 0, least).size();
@@ -81,7 +84,9 @@ void show_dry_run(const EnsembleCase& ensemble, bool as_json) {
       {"core_hours_at_most", cost_of(ensemble, most).likely_core_s / 3600},
       {"core_hours_if_none_comes_to_rest", cost_of(ensemble, most).longest_core_s / 3600}};
   if (as_json) {
-    fmt::print("{}\n", nlohmann::json{{"dryRun", true}, {"estimate", estimate}}.dump(2));
+    fmt::print(
+        "{}\n",
+        nlohmann::json{{"dryRun", true}, {"warnings", warnings}, {"estimate", estimate}}.dump(2));
     return;
   }
   fmt::print("{} to {} members, {} to {} runs, {:.2g} to {:.2g} core-hours\n", least, most,
@@ -102,8 +107,10 @@ void leave(const SectionEnsemble& ensemble, const EnsembleRuns& runs, const fs::
 
 int run(const Options& options) {
   const EnsembleCase asked = read_ensemble(options.file);
+  auto warnings = warnings_of(asked.of.section, asked.of.settings);
+  fmt::print(stderr, "{}", warning_lines(warnings));
   if (options.runs.dry_run) {
-    show_dry_run(asked, options.runs.json);
+    show_dry_run(asked, warnings, options.runs.json);
     return int(ExitCode::result);
   }
   const InterruptSignals signals;
@@ -122,7 +129,9 @@ int run(const Options& options) {
     return int(ExitCode::interrupted);
   }
   for (const std::string& failure : done.failures) fmt::print(stderr, "{}\n", failure);
-  const SectionEnsemble ensemble{asked.of.section.name, asked.asked, *done.summary};
+  auto of_members = member_lines(done.rows, done.summary->members, warnings);
+  const SectionEnsemble ensemble{asked.of.section.name, asked.asked, *done.summary,
+                                 std::move(warnings), std::move(of_members)};
   leave(ensemble, done, options.runs.out);
   if (options.runs.json) fmt::print("{}\n", to_document(ensemble).dump(2));
   if (!options.runs.json) {

@@ -9,6 +9,7 @@
 #include "server/commands/folder_runs.hpp"
 #include "server/commands/progress_line.hpp"
 #include "server/documents/hindcast_document.hpp"
+#include "server/documents/member_warnings.hpp"
 #include "server/drawings/hindcast_drawing.hpp"
 #include "server/jobs/executors/local_executor.hpp"
 #include "server/jobs/hindcast_folder.hpp"
@@ -69,7 +70,8 @@ RunCost cost_of_wave(const HindcastFile& file) {
   return all;
 }
 
-void show_dry_run(const HindcastFile& file, bool as_json) {
+void show_dry_run(const HindcastFile& file, const std::vector<std::string>& warnings,
+                  bool as_json) {
   const std::size_t runs = runs_of_draw(file.plan, 0, 0).size();
   const std::size_t most_runs = runs * file.plan.waves * file.plan.draws.locals;
   const auto waves = static_cast<double>(file.plan.waves);
@@ -81,7 +83,9 @@ void show_dry_run(const HindcastFile& file, bool as_json) {
         {"core_hours_at_least", wave.likely_core_s / 3600},
         {"core_hours_at_most", waves * wave.likely_core_s / 3600},
         {"core_hours_if_none_comes_to_rest", waves * wave.longest_core_s / 3600}};
-    fmt::print("{}\n", nlohmann::json{{"dryRun", true}, {"estimate", estimate}}.dump(2));
+    fmt::print(
+        "{}\n",
+        nlohmann::json{{"dryRun", true}, {"warnings", warnings}, {"estimate", estimate}}.dump(2));
     return;
   }
   fmt::print("{} slides, {} to {} runs, {:.2g} to {:.2g} core-hours\n", file.cases.size(), runs,
@@ -96,8 +100,10 @@ void leave(const Hindcast& hindcast, const nlohmann::json& document, const fs::p
 
 int run(const Options& options) {
   const HindcastFile asked = read_hindcast(options.file);
+  const auto warnings = hindcast_warnings(asked, {}, 0);
+  fmt::print(stderr, "{}", warning_lines(warnings));
   if (options.runs.dry_run) {
-    show_dry_run(asked, options.runs.json);
+    show_dry_run(asked, warnings, options.runs.json);
     return int(ExitCode::result);
   }
   const InterruptSignals signals;

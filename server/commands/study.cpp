@@ -10,6 +10,7 @@
 #include "server/commands/folder_option.hpp"
 #include "server/commands/folder_runs.hpp"
 #include "server/commands/progress_line.hpp"
+#include "server/documents/member_warnings.hpp"
 #include "server/documents/study_document.hpp"
 #include "server/drawings/study_drawing.hpp"
 #include "server/jobs/executors/local_executor.hpp"
@@ -64,6 +65,8 @@ void leave(const Study& study, const fs::path& out) {
 
 int run(const Options& options) {
   StudyFile asked = read_study(options.study);
+  fmt::print(stderr, "{}",
+             warning_lines(study_warnings(asked, solver::study_runs(asked.question.settings))));
   const InterruptSignals signals;
   ProgressLine line;
   fs::create_directories(options.out);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/documents/member_warnings.hpp"
 #include "server/documents/or_null.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -139,6 +141,12 @@ std::string table_of(const DistanceSummary& of, const char* name,
   return text;
 }
 
+std::vector<std::string> all_warnings(const SectionEnsemble& ensemble) {
+  auto warnings = ensemble.warnings;
+  add_new(warnings, ensemble.member_warnings);
+  return warnings;
+}
+
 }  // namespace
 
 json to_document(const SectionEnsemble& ensemble) {
@@ -163,6 +171,7 @@ json to_document(const SectionEnsemble& ensemble) {
            {{"value", s.probability_of_sliding}, {"low", s.sliding.low}, {"high", s.sliding.high}}},
           {"retrogression", to_json(s.by_distance.at(Distance::retrogression), plan.inputs)},
           {"runout", to_json(s.by_distance.at(Distance::runout), plan.inputs)},
+          {"warnings", all_warnings(ensemble)},
           {"core_s", s.core_s}};
 }
 
@@ -219,7 +228,7 @@ std::string ensemble_table(const SectionEnsemble& ensemble) {
   for (const Distance distance : solver::distances) {
     text += table_of(s.by_distance.at(distance), to_string(distance), ensemble.asked.plan.inputs);
   }
-  return text;
+  return text + warning_lines(all_warnings(ensemble));
 }
 
 std::string quantile_table(const std::vector<SectionEnsemble>& ensembles) {
@@ -230,8 +239,10 @@ std::string quantile_table(const std::vector<SectionEnsemble>& ensembles) {
   for (const auto& q : of_first)
     text += fmt::format(" {:>8}", fmt::format("{:g} %", 100 * q.exceedance));
   text += "\n";
+  GatheredWarnings of_members;
   for (const SectionEnsemble& ensemble : ensembles) {
     const auto& s = ensemble.summary;
+    of_members.add(ensemble.section, ensemble.member_warnings);
     text += fmt::format("{:<12} {:>7} {:>5.0f} %", ensemble.section, s.members,
                         100 * s.probability_of_sliding);
     for (const auto& q : s.by_distance.at(Distance::retrogression).quantiles) {
@@ -239,7 +250,7 @@ std::string quantile_table(const std::vector<SectionEnsemble>& ensembles) {
     }
     text += "\n";
   }
-  return text;
+  return text + warning_lines(lines_of(of_members));
 }
 
 }  // namespace leda::server

@@ -20,6 +20,8 @@ struct SectionEnsemble {
   std::string section;
   EnsembleRequest asked;
   solver::EnsembleSummary summary;
+  std::vector<std::string> warnings{};         ///< of the base case
+  std::vector<std::string> member_warnings{};  ///< what members are warned of beyond it, as lines
 };
 
 /// Format: README.md of this folder, "The ensemble".
@@ -36,7 +38,8 @@ std::string distance_text(const solver::ExceedanceQuantile& quantile);
 std::string ensemble_table(const SectionEnsemble& ensemble);
 
 /// A line a section for a terminal: how probable it is that it slides, and the retrogression that
-/// is exceeded with each probability. Empty without sections.
+/// is exceeded with each probability; below them what members are warned of. Empty without
+/// sections.
 std::string quantile_table(const std::vector<SectionEnsemble>& ensembles);
 
 }  // namespace leda::server

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "server/documents/member_warnings.hpp"
 #include "server/documents/or_null.hpp"
 #include "solver/hindcast/weights.hpp"
 
@@ -14,9 +15,7 @@ namespace {
 
 using nlohmann::json;
 using solver::Distance;
-using solver::HindcastSummary;
 using solver::Prediction;
-using solver::Scope;
 
 /// Rows of a sample with less are left out: together they are far below what a member counts.
 constexpr double least_weight = 1e-8;
@@ -76,7 +75,7 @@ json score_document(const solver::DistanceScore& score) {
           {"mean_crps_of_rule_ln", or_null(score.mean_crps_of_rule_ln)}};
 }
 
-json weights_document(const HindcastSummary& s) {
+json weights_document(const solver::HindcastSummary& s) {
   json out = to_json(s.posterior);
   out["trusted"] = s.doubts.empty();
   out["doubts"] = s.doubts;
@@ -186,7 +185,7 @@ json posterior_inputs(const Hindcast& hindcast) {
   const auto& inputs = hindcast.asked.plan.draws.inputs;
   json out = json::array();
   for (std::size_t i = 0; i < inputs.size() && hindcast.summary.posterior.effective > 0; ++i) {
-    if (inputs[i].scope != Scope::region) continue;
+    if (inputs[i].scope != solver::Scope::region) continue;
     json values = json::array(), kept = json::array();
     for (std::size_t m = 0; m < weights.size(); ++m) {
       if (weights[m] < least_weight) continue;
@@ -226,6 +225,7 @@ json to_document(const Hindcast& hindcast) {
       {"shared_inputs", inputs_document(hindcast)},
       {"slides", slides},
       {"posterior", {{"label", posterior_label(hindcast)}, {"inputs", posterior_inputs(hindcast)}}},
+      {"warnings", hindcast_warnings(hindcast.asked, hindcast.rows, s.members)},
       {"core_s", core_s}};
   for (const auto& [distance, score] : s.scores) out[to_string(distance)] = score_document(score);
   return out;
@@ -289,7 +289,8 @@ std::string hindcast_table(const Hindcast& hindcast) {
   for (const auto& [distance, score] : s.scores) {
     text += scores_text(score, to_string(distance), plan.confidence);
   }
-  return text + hindcast_condition + "\n";
+  return text + hindcast_condition + "\n" +
+         warning_lines(hindcast_warnings(hindcast.asked, hindcast.rows, s.members));
 }
 
 }  // namespace leda::server

@@ -164,7 +164,8 @@ json to_document(const Study& study) {
            {"dependence", to_json(study.summary.dependence)},
            {"settings", json::array()},
            {"runs", json::array()},
-           {"outcome", study_outcome(study)}};
+           {"outcome", study_outcome(study)},
+           {"warnings", study_warnings(study.asked, study.runs)}};
   out["dependence"]["seed"] = to_json(study.summary.dependence_on_seed, "standard_deviation_m");
   for (const Measure measure : solver::measures) {
     const auto& fastest = study.summary.fastest_by(measure);

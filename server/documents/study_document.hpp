@@ -33,6 +33,11 @@ std::string study_table(const Study& study);
 /// them, the floor, and how far the answer depends on each axis and on the seed.
 std::vector<std::string> study_outcome(const Study& study);
 
+/// What its runs are warned of, each text with the settings it is about. A run without a result is
+/// warned of what is known before it: that is all where no run has been made.
+std::vector<std::string> study_warnings(const StudyFile& asked,
+                                        const std::vector<solver::StudyRun>& runs);
+
 /// "1.5 m, 4 particles"; with its time step where the study asks for another than the case's own
 std::string setting_name(const Study& study, const solver::StudySetting& setting);
 

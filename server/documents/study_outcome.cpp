@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+#include "server/documents/member_warnings.hpp"
 #include "server/documents/study_document.hpp"
 #include "server/documents/study_setting.hpp"
+#include "solver/section/gathered_warnings.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -156,6 +159,18 @@ std::vector<std::string> study_outcome(const Study& study) {
   return sentences;
 }
 
+std::vector<std::string> study_warnings(const StudyFile& asked,
+                                        const std::vector<solver::StudyRun>& runs) {
+  const bool with_step = tells_time_step(asked);
+  GatheredWarnings gathered;
+  for (const solver::StudyRun& run : runs) {
+    const CaseFile of = case_of(asked.of, run);
+    gathered.add(setting_name(run.setting, with_step),
+                 run.result ? run.result->warnings : warnings_of(of.section, of.settings));
+  }
+  return lines_of(gathered, "; ");
+}
+
 std::string study_table(const Study& study) {
   const std::size_t width = width_of_names(study);
   std::string text =
@@ -170,7 +185,7 @@ std::string study_table(const Study& study) {
   }
   text += dependence_rows(study, width);
   for (const std::string& one : study_outcome(study)) text += one + "\n";
-  return text;
+  return text + warning_lines(study_warnings(study.asked, study.runs));
 }
 
 }  // namespace leda::server

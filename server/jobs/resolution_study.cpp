@@ -7,6 +7,7 @@
 #include "server/drawings/study_drawing.hpp"
 #include "server/jobs/without_map.hpp"
 #include "server/operate/problem.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -28,6 +29,8 @@ class ResolutionStudy final : public WithoutMap {
     auto record = record_of(asked_.of.section);
     std::vector<db::SectionRecord> records;
     for (const solver::StudyRun& run : runs_) {
+      const CaseFile of = server::case_of(asked_.of, run);
+      record.warnings = warnings_of(of.section, of.settings);
       record.name = run_name(asked_.of, run);
       record.ordinal = static_cast<int>(records.size());
       records.push_back(record);

@@ -4,7 +4,9 @@
 
 #include "profiles/place_result.hpp"
 #include "profiles/soil_along.hpp"
+#include "server/documents/member_warnings.hpp"
 #include "server/documents/simulate_request.hpp"
+#include "server/layers/summary.hpp"
 #include "server/operate/problem.hpp"
 
 namespace leda::server {
@@ -109,7 +111,10 @@ EnsembleOfSection JobEnsemble::of_section(const SectionRecord& section) const {
   }
   if (auto look = last_look(asked(), place, members)) {
     weigh(out.rows, look->members);
-    out.ensemble = SectionEnsemble{section.name, asked().asked, std::move(look->summary)};
+    auto warnings = warnings_of(section);
+    auto of_members = member_lines(out.rows, look->members, warnings);
+    out.ensemble = SectionEnsemble{section.name, asked().asked, std::move(look->summary),
+                                   std::move(warnings), std::move(of_members)};
   }
   return out;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "server/documents/member_warnings.hpp"
 #include "server/layers/summary.hpp"
 #include "solver/section/gathered_warnings.hpp"
 
@@ -13,13 +14,10 @@ std::string distance(double metres, Bound is) {
   return fmt::format("{}{:.1f}", is == Bound::lower_bound ? ">" : "", metres);
 }
 
-/// "warning: S1, S2 and 5 more: TEXT", a line for each text.
-std::string warning_lines(const std::vector<db::SectionRecord>& sections) {
+std::vector<std::string> gathered_from(const std::vector<db::SectionRecord>& sections) {
   GatheredWarnings gathered;
   for (const auto& section : sections) gathered.add(section.name, warnings_of(section));
-  std::string lines;
-  for (const std::string& line : lines_of(gathered)) lines += "warning: " + line + "\n";
-  return lines;
+  return lines_of(gathered);
 }
 
 }  // namespace
@@ -39,7 +37,7 @@ std::string section_table(const std::vector<db::SectionRecord>& sections) {
                            status_of(section), "-", "-", "-", section.reason);
     }
   }
-  return table + warning_lines(sections);
+  return table + warning_lines(gathered_from(sections));
 }
 
 }  // namespace leda::server

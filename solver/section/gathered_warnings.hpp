@@ -26,6 +26,8 @@ class GatheredWarnings {
 };
 
 /// "S001: TEXT", "S001, S002, S003: TEXT", "S001, S002 and 56 more: TEXT".
-std::vector<std::string> lines_of(const GatheredWarnings& warnings);
+/// @param between names
+std::vector<std::string> lines_of(const GatheredWarnings& warnings,
+                                  const std::string& between = ", ");
 
 }  // namespace leda

@@ -51,6 +51,8 @@ TEST_F(EnsembleOfABank, LeavesNumbersMembersAndADrawing) {
   EXPECT_NE(done.errors.find(" runs done"), std::string::npos) << done.errors;
   const json document = json::parse(done.text);
   EXPECT_EQ(document["members"], 32);
+  EXPECT_NE(document["warnings"].dump().find("cells high"), std::string::npos) << document;
+  EXPECT_NE(document["warnings"].dump().find(" of 32 members"), std::string::npos) << document;
   EXPECT_EQ(document["ended_by"], "max-members");
   EXPECT_GT(document["probability_of_sliding"]["value"], 0);
   EXPECT_EQ(document["retrogression"]["chance"]["runs"], 4);
@@ -155,6 +157,7 @@ TEST_F(EnsembleOfABank, ComesOverHttpAsAJobOfItsMembers) {
   const json document = server.get(ensemble_path);
   EXPECT_EQ(document["ended_by"], "half-width");
   EXPECT_EQ(document["members"], 16);
+  EXPECT_NE(document["warnings"].dump().find("cells high"), std::string::npos) << document;
   const auto drawing = server.client().Get(ensemble_path + "?f=svg");
   EXPECT_TRUE(drawing->body.starts_with("<svg")) << drawing->body;
   EXPECT_EQ(server.client().Get("/jobs/" + job + "/sections/other/ensemble")->status, 404);
@@ -168,6 +171,8 @@ TEST_F(EnsembleOfABank, ADryRunTellsItsCostAndRunsNothing) {
   const Output dry =
       run_leda({"ensemble", file(bank()), "--out", out().string(), "--dry-run", "--json"});
   ASSERT_EQ(dry.exit_code, 0) << dry.errors;
+  const json warning = json::parse(dry.text)["warnings"].at(0);
+  EXPECT_NE(dry.errors.find("warning: " + warning.get<std::string>()), std::string::npos);
   const json estimate = json::parse(dry.text)["estimate"];
   EXPECT_EQ(estimate["members_at_least"], 16);
   EXPECT_EQ(estimate["runs_at_most"], 32 + 2 * 2);

@@ -151,6 +151,9 @@ TEST_F(HindcastOfBanks, ADryRunTellsItsCostAndRunsNothing) {
   const Output dry = run_leda({"hindcast", file("hindcast.json", hindcast()), "--out",
                                out().string(), "--dry-run", "--json"});
   ASSERT_EQ(dry.exit_code, 0) << dry.errors;
+  const json warning = json::parse(dry.text)["warnings"].at(0);
+  EXPECT_EQ(warning.get<std::string>().find("A, B: the bank is "), 0U) << warning;
+  EXPECT_NE(dry.errors.find("warning: A, B: "), std::string::npos) << dry.errors;
   const json estimate = json::parse(dry.text)["estimate"];
   EXPECT_EQ(estimate["runs_at_least"], 32);
   EXPECT_EQ(estimate["runs_at_most"], 32 * 2 * 4);

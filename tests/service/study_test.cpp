@@ -48,6 +48,12 @@ TEST_F(StudyOfABank, ComesOverHttpAsAJobWhoseResultsAreTheStudy) {
   EXPECT_NE(refused->body.find("/inputs/time_step_factor/1"), std::string::npos) << refused->body;
   EXPECT_NE(refused->body.find("/inputs/workers"), std::string::npos) << refused->body;
 
+  const auto dry = server.client().Post(path, json{{"inputs", inputs()}, {"dryRun", true}}.dump(),
+                                        "application/json");
+  ASSERT_EQ(dry->status, 200) << dry->body;
+  const json& coarse = json::parse(dry->body)["sections"].at(0);
+  EXPECT_NE(coarse["warnings"].dump().find("cells high"), std::string::npos) << coarse;
+
   const auto accepted =
       server.client().Post(path, json{{"inputs", inputs()}}.dump(), "application/json");
   ASSERT_EQ(accepted->status, 201) << accepted->body;
@@ -77,6 +83,8 @@ TEST_F(StudyOfABank, ComesOnTheCommandLineAndGoesOnWhereItWas) {
   const Output first = run_leda({"study", study, "--out", out()});
   ASSERT_EQ(first.exit_code, 0) << first.errors;
   EXPECT_NE(first.text.find("1.2 m, 4 particles"), std::string::npos) << first.text;
+  EXPECT_NE(first.text.find("warning: 1.2 m, 4 particles: "), std::string::npos) << first.text;
+  EXPECT_EQ(first.errors.find("warning: 1.2 m, 4 particles: the bank is "), 0U) << first.errors;
   for (const char* name : {"study.json", "study.csv", "study.svg"}) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
   }

@@ -164,6 +164,7 @@ export interface Ensemble {
   probability_of_sliding: {value: number; low: number; high: number};
   retrogression: DistanceSummary;
   runout: DistanceSummary;
+  warnings: string[];
 }
 
 export interface StudySetting {
@@ -181,6 +182,7 @@ export interface StudySetting {
 
 export interface Study {
   outcome: string[];
+  warnings: string[];
   settings: StudySetting[];
   fastest_within_wanted_error: {
     both: {by_mean: {cell_m: number; particles_per_cell: number; time_step_factor: number} | null} | null;

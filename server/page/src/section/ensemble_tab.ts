@@ -6,7 +6,7 @@ import {fill, h, s, save} from '../dom';
 import {exceedance_figure} from '../drawing/exceedance_plot';
 import {check_rows, condition_words, decider_words, deciders, distances, quantile_rows,
   summary_rows} from '../ensemble/numbers';
-import {Report, button, facts} from '../steps/parts';
+import {Report, button, facts, warnings} from '../steps/parts';
 import type {DistanceSummary, Ensemble} from '../types';
 import {type Word, t} from '../words';
 
@@ -54,6 +54,7 @@ function whole(ensemble: Ensemble, job: string, report: Report): HTMLElement {
       `${name}: ${value}`)),
       button('download_curves', () => void keep(`${address}/ensemble?f=svg`, `${ensemble.section}-ensemble.svg`), 'small'),
       button('take_members', () => void keep(`jobs/${job}/members?f=csv`, `${job}-members.csv`), 'small')), report.element,
+    ensemble.warnings.length > 0 ? warnings(ensemble.warnings) : null,
     h('div', {class: 'distances'}, distances.map((of) => h('section', {'aria-label': t(of)},
       exceedance_figure([ensemble], of), quantile_table(ensemble[of]), decider_table(ensemble[of])))));
 }

@@ -5,7 +5,7 @@ import {fill, h, save} from '../dom';
 import {on, state} from '../state';
 import type {JobMap, Study, StudySetting} from '../types';
 import {show, t} from '../words';
-import {type Report, button} from './parts';
+import {type Report, button, warnings} from './parts';
 
 /** How a setting did: what it may be chosen for, or why it is none to choose. */
 export function judged(setting: StudySetting, study: Study): string {
@@ -49,7 +49,8 @@ async function load(stage: HTMLElement, words: HTMLElement, job: JobMap, report:
   fill(stage, h('figure', {}, h('img', {src: picture_url, alt: t('study_picture')}),
     h('figcaption', {}, t('study_picture'))), setting_table(study));
   fill(words, h('div', {class: 'row'}, button('study_svg', () => keep('svg')), button('study_csv', () => keep('csv'))),
-    h('ul', {class: 'outcome'}, study.outcome.map((one) => h('li', {}, one))));
+    h('ul', {class: 'outcome'}, study.outcome.map((one) => h('li', {}, one))),
+    study.warnings.length > 0 ? warnings(study.warnings) : null);
 }
 
 /** Shows the study that is chosen; nothing of another job.
