@@ -11,6 +11,7 @@
 #include "server/http/http_server.hpp"
 #include "server/jobs/service.hpp"
 #include "server/operate/logging.hpp"
+#include "server/operate/memory_return.hpp"
 #include "server/operate/settings_file.hpp"
 #include "server/run/run_folder.hpp"
 
@@ -99,6 +100,7 @@ void cut_off_after(std::chrono::milliseconds patience) {
 }
 
 int serve(const Options& options) {
+  keep_little_free_memory();
   set_up_logging(false);
   const ServiceOptions wanted = service_options(options);
   const SiteOptions shown = site_options(options);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "server/operate/logging.hpp"
+#include "server/operate/memory_return.hpp"
 #include "server/run/run_checkpoint.hpp"
 
 namespace leda::server {
@@ -134,6 +135,7 @@ void Dispatcher::take_up_new_jobs() {
 }
 
 void Dispatcher::take_up(const std::string& id) {
+  const MemoryReturn after_opening;
   auto job = open(id);
   if (!job) return;
   recover(*job);

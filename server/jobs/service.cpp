@@ -12,6 +12,7 @@
 #include "server/jobs/executors/slurm/slurm_executor.hpp"
 #include "server/layers/features.hpp"
 #include "server/operate/logging.hpp"
+#include "server/operate/memory_return.hpp"
 #include "server/operate/problem.hpp"
 
 namespace leda::server {
@@ -151,6 +152,7 @@ Service::Service(const std::filesystem::path& data_folder, const ServiceOptions&
 Submitted submit(Service& service, const Process& process, const std::string& request,
                  const std::string& key) {
   if (auto stood = stored_reply(service.store, process, request, key)) return *stood;
+  const MemoryReturn after_the_layout;
   const auto slot = slot_of_new_job(service);
   const auto work = opened(service, process, request);
   const auto sections = work->plan();
@@ -177,6 +179,7 @@ Submitted submit(Service& service, const Process& process, const std::string& re
 }
 
 nlohmann::json dry_run(Service& service, const Process& process, const std::string& request) {
+  const MemoryReturn after_the_layout;
   const auto slot = slot_of_new_job(service);
   const auto work = opened(service, process, request);
   auto sections = work->plan();

@@ -21,7 +21,7 @@ awk 'BEGIN {
 region() {
   jq -n --arg name "$1" --argjson sections "$2" --argjson strength "$3" --argjson cell "$4" '{inputs: {
     name: $name, dem: "bank",
-    sections: (($sections / 900 | ceil) as $lines | ($sections / $lines) as $each |
+    sections: (($sections / 800 | ceil) as $lines | ($sections / $lines) as $each |
       [range($lines) | {along: [[380300 - ., 5113020], [380300 - ., 5113980]],
                         spacing_m: (960 / ($each - 0.5)), upslope_m: 100, downslope_m: 80}]),
     soil: {base_m: 0, layers: [{material: "clay"}], materials: {clay: {

@@ -4,7 +4,7 @@
 # Prints a table; needs curl and jq. Everything stays on the loopback interface.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-leda=$PWD/${1:-build/release}/leda
+leda=$(realpath "${1:-build/release}")/leda
 jobs=${2:-200}
 sections=${3:-20000}
 source tests/bench/bank_server.sh
@@ -36,6 +36,6 @@ kill -9 "$server"
 wait "$server" 2>/dev/null || true
 rm data/server.json
 timed 'a server killed starts again and answers' start_server
-sleep 60
+sleep "${LEDA_PAUSE_S:-60}"
 echo "| resident a minute later | $(memory_mb) MB |"
 timed 'dismiss another' dismissed "$(jq -r .jobID "$((jobs - 1)).out")"
