@@ -59,6 +59,7 @@ json document(const ElementCase& clay, const Calibration& beta, const Calibratio
           {"softening", to_document(*clay.material.softening)},
           {"peak_strength_kPa", clay.peak_Pa / 1000},
           {"shear_modulus_kPa", clay.material.shear_modulus_Pa / 1000},
+          {"warnings", clay.warnings},
           {"specimen_m", beta.reference_size_m},
           {"cell_m", beta.cell_m},
           {"beta", as_json(beta)},

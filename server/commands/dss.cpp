@@ -114,6 +114,7 @@ json as_json(const ElementCase& clay, const std::string& method, const solver::D
           {"cell_m", curve.height_m},
           {"peak_strength_kPa", clay.peak_Pa / 1000},
           {"shear_modulus_kPa", clay.material.shear_modulus_Pa / 1000},
+          {"warnings", clay.warnings},
           {"snaps_back", curve.snaps_back},
           {"work_kN_m", solver::work_per_area(curve) / 1000},
           {"shear_strain", strain},

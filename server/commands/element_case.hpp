@@ -27,14 +27,19 @@ struct ElementCase {
   Material material;
   double peak_Pa = 0;  ///< s_up at the place asked for
   double case_cell_m = 0;
+  std::vector<std::string> warnings;  ///< of the material
 };
 
-/// Reads the case and picks the material. Faults are printed to stderr, each on its line.
+/// Reads the case and picks the material. Faults and warnings are printed to stderr, each on its
+/// line.
 /// @return nothing where there was a fault (exit code 2)
 std::optional<ElementCase> read_element_case(const ElementOptions& options);
 
 /// Prints faults of a command, each on its line: "leda dss: ...".
 void print_faults(const std::string& command, const std::vector<std::string>& faults);
+
+/// Prints warnings to stderr, each on its line: "warning: ...".
+void print_warnings(const std::vector<std::string>& warnings);
 
 /// Writes a file, or standard output where the path is empty or "-".
 /// @return false where it could not be written, which is told on stderr

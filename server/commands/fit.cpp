@@ -10,6 +10,7 @@
 #include "server/commands/exit_code.hpp"
 #include "server/commands/fit_report.hpp"
 #include "solver/element_test/energy_curve.hpp"
+#include "solver/section/warnings.hpp"
 
 namespace leda::server {
 namespace {
@@ -89,9 +90,21 @@ std::optional<solver::LabCurve> lab_curve(const FitOptions& options,
   return file.stress_strain;
 }
 
+/// The clay as a case would have it; what no shear test tells is as clays have it.
+Material clay_of(const Fits& fits, const FitOptions& options) {
+  constexpr double usual_unit_weight = 17e3, usual_poisson_ratio = 0.45;
+  Material clay;
+  clay.unit_weight = usual_unit_weight;
+  clay.poisson_ratio = usual_poisson_ratio;
+  clay.shear_modulus_Pa = fits.curve.shear_modulus_Pa;
+  clay.peak_strength.constant_Pa = fits.curve.peak_Pa;
+  clay.softening = Softening{fits.urmi.law, options.specimen_m};
+  return clay;
+}
+
 Fits fit(const solver::LabCurve& curve, const FitOptions& options) {
   const auto measure = options.strain == "total" ? StrainMeasure::total : StrainMeasure::plastic;
-  Fits fits{solver::behind_peak(curve, measure), {}, {}};
+  Fits fits{solver::behind_peak(curve, measure), {}, {}, {}};
   solver::UrmiFitInput input;
   input.curve = fits.curve;
   input.remolded_Pa = 1000 * options.remolded_kPa;
@@ -100,6 +113,7 @@ Fits fit(const solver::LabCurve& curve, const FitOptions& options) {
   input.residual_share = options.residual_share_percent / 100;
   fits.urmi = solver::fit_urmi(input);
   fits.strain_95 = solver::fit_strain_95(fits.curve, 1000 * options.remolded_kPa);
+  if (fits.urmi.faults.empty()) fits.warnings = warnings_of({{"fitted", clay_of(fits, options)}});
   return fits;
 }
 
@@ -120,8 +134,9 @@ int run(const FitOptions& options) {
   } else {
     print_fits(fits, options);
   }
-  for (const auto& warning : fits.urmi.warnings) fmt::print(stderr, "warning: {}\n", warning);
-  for (const auto& warning : fits.strain_95.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  print_warnings(fits.urmi.warnings);
+  print_warnings(fits.strain_95.warnings);
+  print_warnings(fits.warnings);
   if (!options.out.empty() && !write_text(options.out, fit_table(fits, options))) return 2;
   if (!options.svg.empty() && !write_text(options.svg, fit_drawing(fits, options))) return 2;
   return 0;

@@ -49,7 +49,8 @@ json fit_document(const Fits& fits, const FitOptions& options) {
            {"peak_strain", fits.curve.peak_strain},
            {"shear_modulus_kPa", fits.curve.shear_modulus_Pa / 1000},
            {"strain", options.strain},
-           {"reduction", urmi.reduction}};
+           {"reduction", urmi.reduction},
+           {"warnings", fits.warnings}};
   out["urmi"] = {{"softening", to_document(Softening{urmi.law, options.specimen_m})},
                  {"alpha_standard_error", urmi.alpha_error},
                  {"beta_standard_error", urmi.beta_error},

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solver/element_test/fit_strain_95.hpp"
 #include "solver/element_test/fit_urmi.hpp"
@@ -29,6 +30,7 @@ struct Fits {
   solver::PostPeak curve;
   solver::UrmiFit urmi;
   solver::Strain95Fit strain_95;
+  std::vector<std::string> warnings;  ///< magnitudes of the clay that few have
 };
 
 /// Everything found, with the softening blocks as a case file takes them.

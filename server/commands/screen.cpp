@@ -9,11 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "server/commands/commands.hpp"
+#include "server/commands/element_case.hpp"
 #include "server/commands/exit_code.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/screening_document.hpp"
+#include "solver/screening/site_material.hpp"
 #include "solver/section/warnings.hpp"
 
 namespace leda::server {
@@ -65,25 +68,29 @@ void print_faults(const std::string& path, const std::vector<Fault>& faults) {
   }
 }
 
-std::optional<solver::ScreeningResult> screen_case_file(const std::string& path) {
+struct Screened {
+  solver::ScreeningResult result;
+  std::vector<std::string> warnings;
+};
+
+std::optional<Screened> screen_case_file(const std::string& path) {
   const auto text = read_file(path);
   if (!text) return std::nullopt;
   const auto parsed = parse_case_file(*text);
   print_faults(path, parsed.faults);
   if (!parsed) return std::nullopt;
-  for (const auto& warning : warnings_of(parsed.value->section, parsed.value->settings)) {
-    fmt::print(stderr, "warning: {}\n", warning);
-  }
-  return solver::screen(parsed.value->section, parsed.value->settings);
+  const Section& section = parsed.value->section;
+  const RunSettings& settings = parsed.value->settings;
+  return Screened{solver::screen(section, settings), warnings_of(section, settings)};
 }
 
-std::optional<solver::ScreeningResult> screen_site_file(const std::string& path) {
+std::optional<Screened> screen_site_file(const std::string& path) {
   const auto text = read_file(path);
   if (!text) return std::nullopt;
   const auto parsed = parse_site_file(*text);
   print_faults(path, parsed.faults);
   if (!parsed) return std::nullopt;
-  return solver::screen_site(*parsed.value);
+  return Screened{solver::screen_site(*parsed.value), solver::warnings_of(*parsed.value)};
 }
 
 /// "bishop 1.23, spencer -, ..." of one object of the answer.
@@ -133,10 +140,12 @@ int run(const ScreenOptions& options) {
     fmt::print(stderr, "leda screen: give a case file or --site SITE.json, one of the two\n");
     return 2;
   }
-  const auto result = options.site_file.empty() ? screen_case_file(options.case_file)
-                                                : screen_site_file(options.site_file);
-  if (!result) return 2;
-  const json document = to_document(*result);
+  const auto screened = options.site_file.empty() ? screen_case_file(options.case_file)
+                                                  : screen_site_file(options.site_file);
+  if (!screened) return 2;
+  print_warnings(screened->warnings);
+  json document = to_document(screened->result);
+  document["warnings"] = screened->warnings;
   if (options.as_json || isatty(STDOUT_FILENO) == 0)
     fmt::print("{}\n", document.dump(2));
   else

@@ -9,6 +9,7 @@
 #include "server/documents/json_syntax.hpp"
 #include "server/documents/object_reader.hpp"
 #include "server/documents/or_null.hpp"
+#include "solver/screening/site_material.hpp"
 
 namespace leda::server {
 namespace {
@@ -54,11 +55,6 @@ solver::SiteSoftening read_softening(const json& value, const std::string& at, F
 }
 
 void check_order(const Site& site, FaultList& faults) {
-  if (site.remolded_strength_Pa && *site.remolded_strength_Pa > site.peak_strength_Pa) {
-    faults.add("/remolded_strength_kPa", show(*site.remolded_strength_Pa / 1000) +
-                                             ": must not be above the peak strength of " +
-                                             show(site.peak_strength_Pa / 1000) + " kPa");
-  }
   if (site.softening && site.peak_strain && site.softening->residual_strain <= *site.peak_strain) {
     faults.add("/softening/residual_strain", show(site.softening->residual_strain) +
                                                  ": must be above the peak strain of " +
@@ -167,6 +163,7 @@ Parsed<Site> parse_site_file(std::string_view text) {
   FaultList list;
   const Site site = read_site(*parsed.value, list);
   auto faults = list.take();
+  add_new_faults(faults, solver::faults_of_clay(site));
   if (!faults.empty()) return {std::nullopt, std::move(faults)};
   return {site, {}};
 }

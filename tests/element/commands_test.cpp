@@ -160,6 +160,44 @@ TEST_F(Commands, CalibrateGivesBothScalingsTwice) {
             std::string::npos);
 }
 
+TEST_F(Commands, OddMagnitudesAreTold) {
+  ASSERT_EQ(leda("--version && sed 's/\"beta\": 2.8/\"beta\": 0.028/' case.json > odd.json").code,
+            0);
+  for (const std::string command : {"dss", "calibrate --cell 0.5"}) {
+    const std::string line = command + " odd.json --material clay ";
+    EXPECT_NE(leda(line).out.find("warning: material clay: softening/beta is 0.028"),
+              std::string::npos)
+        << command;
+    const json document = json::parse(leda(line + "--json 2>/dev/null").out);
+    EXPECT_NE(document["warnings"].dump().find("not per percent"), std::string::npos) << command;
+  }
+  EXPECT_TRUE(json::parse(leda("dss case.json --material clay --json").out)["warnings"].empty());
+}
+
+TEST_F(Commands, FitTellsOddMagnitudes) {
+  write("in_Pa.csv",
+        "shear_strain,shear_stress_kPa\n0,0\n0.01,40000\n0.1,35000\n0.2,28000\n0.3,22000\n"
+        "0.5,13000\n0.8,6000\n1.2,3000\n");
+  const std::string line = "fit in_Pa.csv --remolded-strength-kPa 1 ";
+  EXPECT_NE(leda(line).out.find("is it Pa given for kPa?"), std::string::npos) << leda(line).out;
+  const json document = json::parse(leda(line + "--json 2>/dev/null").out);
+  EXPECT_NE(document["warnings"].dump().find("is rock"), std::string::npos);
+}
+
+TEST_F(Commands, ScreenTellsOddMagnitudesInItsAnswerToo) {
+  const json of_case = json::parse(leda("screen case.json --json 2>/dev/null").out);
+  EXPECT_TRUE(of_case["warnings"].is_array());
+  ASSERT_EQ(leda("--version && sed 's/\"beta\": 2.8/\"beta\": 0.028/' case.json > odd.json").code,
+            0);
+  const json of_odd = json::parse(leda("screen odd.json --json 2>/dev/null").out);
+  EXPECT_NE(of_odd["warnings"].dump().find("not per percent"), std::string::npos);
+  write("site.json", R"({"height_m": 15, "unit_weight_kN_m3": 9, "peak_strength_kPa": 40})");
+  EXPECT_NE(leda("screen --site site.json").out.find("warning: material clay: unit_weight_kN_m3"),
+            std::string::npos);
+  const json of_site = json::parse(leda("screen --site site.json --json 2>/dev/null").out);
+  EXPECT_NE(of_site["warnings"].dump().find("unit_weight_kN_m3 is 9"), std::string::npos);
+}
+
 TEST_F(Commands, FitFindsWhatWasSheared) {
   EXPECT_EQ(leda("dss case.json --material clay --max-strain 0.4 --out curve.csv").code, 0);
   const Said said = leda("fit curve.csv --remolded-strength-kPa 0.736 --json 2>/dev/null");

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
+#include "solver/screening/site_material.hpp"
 #include "tests/screening/banks.hpp"
 
 namespace leda::server {
@@ -108,6 +110,31 @@ TEST(SiteFile, HostileTextIsRefused) {
     EXPECT_FALSE(parsed) << text;
     EXPECT_FALSE(parsed.faults.empty()) << text;
   }
+}
+
+TEST(SiteFile, WhatNoCaseMayHaveNoSiteMay) {
+  const auto parsed = parse_site_file(R"({"height_m": 15, "unit_weight_kN_m3": 1.7,
+      "peak_strength_kPa": 40000, "remolded_strength_kPa": 0.0005,
+      "softening": {"alpha": 0.95, "beta": 2.8, "residual_strain": 180}})");
+  std::set<std::string> pointers;
+  for (const Fault& fault : parsed.faults) pointers.insert(fault.pointer);
+  EXPECT_EQ(pointers,
+            (std::set<std::string>{"/unit_weight_kN_m3", "/peak_strength_kPa",
+                                   "/remolded_strength_kPa", "/softening/residual_strain"}));
+}
+
+TEST(SiteFile, WhatIsOddIsTold) {
+  json site = json::parse(sainte_monique);
+  const auto told = [&] { return solver::warnings_of(*parse_site_file(site.dump()).value); };
+  EXPECT_TRUE(told().empty()) << told().front();
+  site["softening"]["beta"] = 0.028;
+  site["plasticity_index_percent"] = 0.28;
+  site["preconsolidation_kPa"] = 150'000;
+  site["height_m"] = 4500;
+  const auto warnings = told();
+  ASSERT_EQ(warnings.size(), 4U);
+  EXPECT_NE(warnings[0].find("not per percent"), std::string::npos);
+  EXPECT_NE(warnings[1].find("height_m is 4500"), std::string::npos);
 }
 
 TEST(SiteFile, UnitsAreThoseOfTheirNames) {
