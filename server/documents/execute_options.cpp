@@ -1,9 +1,27 @@
 #include "server/documents/execute_options.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace leda::server {
 namespace {
 
 using nlohmann::json;
+
+/// Outputs stand in the answer as JSON, features as GeoJSON. Other forms have f= of the results.
+constexpr std::array known_types{"application/json", "application/geo+json"};
+
+void check_format(const json& format, const std::string& at, FaultList& faults) {
+  ObjectReader reader(format, at, faults);
+  if (const json* type = reader.find("mediaType")) {
+    if (std::ranges::none_of(known_types, [&](const char* known) { return *type == known; })) {
+      faults.add(reader.at("mediaType"),
+                 "must be application/json or application/geo+json; other forms of the results: "
+                 "GET /jobs/{jobID}/results?f=");
+    }
+  }
+  reader.refuse_unknown();
+}
 
 std::vector<std::string> read_outputs(const json& value, const std::string& at, FaultList& faults) {
   std::vector<std::string> names;
@@ -18,7 +36,9 @@ std::vector<std::string> read_outputs(const json& value, const std::string& at, 
     if (const json* mode = reader.find("transmissionMode"); mode && *mode != "value") {
       faults.add(reader.at("transmissionMode"), "must be \"value\": results are sent themselves");
     }
-    reader.find("format");
+    if (const json* format = reader.find("format")) {
+      check_format(*format, reader.at("format"), faults);
+    }
     reader.refuse_unknown();
   }
   return names;
@@ -63,11 +83,13 @@ ExecuteOptions execute_options_of(const std::string& request) {
 }
 
 json execute_options_schema() {
+  const json format = {{"type", "object"},
+                       {"additionalProperties", false},
+                       {"properties", {{"mediaType", {{"enum", known_types}}}}}};
   const json one_output = {
       {"type", "object"},
       {"additionalProperties", false},
-      {"properties",
-       {{"transmissionMode", {{"enum", {"value"}}}}, {"format", {{"type", "object"}}}}}};
+      {"properties", {{"transmissionMode", {{"enum", {"value"}}}}, {"format", format}}}};
   return {{"dryRun",
            {{"description", "check, lay out and estimate; nothing is stored or run"},
             {"type", "boolean"},

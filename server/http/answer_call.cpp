@@ -1,5 +1,8 @@
 #include "server/http/answer_call.hpp"
 
+#include <string_view>
+#include <vector>
+
 #include "server/http/accept.hpp"
 #include "server/http/gate.hpp"
 #include "server/http/problem_answer.hpp"
@@ -70,17 +73,25 @@ void refuse_wrong_parameters(const Route& route, const Call& call) {
   throw Problem(Failure::invalid_parameter, "known here: " + std::string(route.parameters), faults);
 }
 
+std::string_view without_parameters(std::string_view type) {
+  return type.substr(0, type.find(';'));
+}
+
 bool is_read(const Call& call) { return call.method == "GET" || call.method == "HEAD"; }
 
-/// Where the route has one form and no f= to choose it by, the client must want that form.
-void refuse_wrong_accept(const Route& route, const Call& call) {
+/// Where a route has no f= to choose its form by, the client must want one of those it has. Which
+/// of several it is, of a file that is named in the path, its answer alone knows.
+void refuse_wrong_accept(const Route& route, const Call& call,
+                         const std::vector<std::string_view>& types) {
   const bool chooses = route.parameters == "f" || route.parameters.starts_with("f ");
   if (!is_read(call) || chooses) return;
-  const auto types = media_types(route);
   const std::string accept = call.header("Accept");
-  if (wanted(accept, types.front()).quality > 0) return;
-  throw Problem(Failure::not_acceptable,
-                "Accept is '" + accept + "': there is " + std::string(types.front()));
+  std::string there_is;
+  for (const std::string_view type : types) {
+    if (wanted(accept, type).quality > 0) return;
+    there_is += (there_is.empty() ? "" : ", ") + std::string(type);
+  }
+  throw Problem(Failure::not_acceptable, "Accept is '" + accept + "': there is " + there_is);
 }
 
 Answer answer_to(Site& site, Call& call, const std::string& target, Told& told) {
@@ -91,9 +102,10 @@ Answer answer_to(Site& site, Call& call, const std::string& target, Told& told) 
   call.captured = match.captured;
   told.holder = require_role(route.role, call.header, site.tokens).name;
   refuse_wrong_parameters(route, call);
-  refuse_wrong_accept(route, call);
+  refuse_wrong_accept(route, call, media_types(route));
   told.job = job_in(route, call, {});
   Answer answer = route.handler(site, call);
+  if (answer.status == 200) refuse_wrong_accept(route, call, {without_parameters(answer.type)});
   if (told.job == "-") told.job = job_in(route, call, answer);
   if (is_read(call) && media_types(route).size() > 1) answer.headers.emplace_back("Vary", "Accept");
   return answer;

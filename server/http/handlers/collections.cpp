@@ -30,6 +30,21 @@ Collection collection_or_problem(const std::string& id) {
   return *collection;
 }
 
+constexpr double whole_turn = 360;
+
+/// A longitude between -180 and 180.
+double on_the_globe(double degrees) {
+  return std::abs(degrees) <= whole_turn / 2 ? degrees : std::remainder(degrees, whole_turn);
+}
+
+/// A map that is panned over 180 degrees counts on beyond: its box then crosses them, west being
+/// greater than east. One that shows more than the world shows all of it.
+MapBox on_the_globe(const MapBox& box) {
+  const auto& [west, south, east, north] = box;
+  if (east - west >= whole_turn) return {-whole_turn / 2, south, whole_turn / 2, north};
+  return {on_the_globe(west), south, on_the_globe(east), north};
+}
+
 /// bbox=west,south,east,north in degrees, or the same with two heights, which say nothing here.
 std::optional<MapBox> wanted_box(const Call& call) {
   if (!call.parameter("bbox")) return std::nullopt;
@@ -54,7 +69,7 @@ std::optional<MapBox> wanted_box(const Call& call) {
                       "': give west,south,east,north in degrees" +
                       (in_metres ? " of longitude and latitude, not coordinates of the DEM" : ""));
   }
-  return MapBox{numbers[0], numbers[1], numbers[2], numbers[3]};
+  return on_the_globe({numbers[0], numbers[1], numbers[2], numbers[3]});
 }
 
 db::PageFilter filter_of(const Site& site, const Call& call) {

@@ -23,6 +23,13 @@ std::optional<std::string> end_from(const std::string& text, const char* time_of
   return utc_from(text);
 }
 
+/// Either end may have a fraction of a second: without the Z text is in the order of time.
+bool is_reversed(const Interval& interval) {
+  if (interval.from.empty() || interval.to.empty()) return false;
+  const auto without_z = [](const std::string& time) { return time.substr(0, time.size() - 1); };
+  return without_z(interval.from) > without_z(interval.to);
+}
+
 }  // namespace
 
 bool is_day(const std::string& text) {
@@ -57,7 +64,12 @@ Interval interval(const Call& call) {
   };
   const std::string from = given->substr(0, slash);
   const std::string to = slash == std::string::npos ? from : given->substr(slash + 1);
-  return {end_of(from, "T00:00:00Z"), end_of(to, "T23:59:59.999Z")};
+  Interval interval{end_of(from, "T00:00:00Z"), end_of(to, "T23:59:59.999Z")};
+  if (is_reversed(interval)) {
+    throw Problem(Failure::invalid_parameter,
+                  "datetime is '" + *given + "', which ends before it begins: give FROM/TO");
+  }
+  return interval;
 }
 
 }  // namespace leda::server

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "server/page/page_files.hpp"
 #include "tests/server/http/http_fixture.hpp"
 
 namespace leda::server {
@@ -60,6 +61,14 @@ TEST_F(AcceptOverHttp, WhatNobodyCanMakeIsRefusedWithWhatThereIs) {
     EXPECT_NE(answer->body.find("there is "), std::string::npos) << answer->body;
   }
   EXPECT_EQ(get("/jobs?f=json", "text/csv")->status, 200) << "f= says it more plainly";
+}
+
+TEST_F(AcceptOverHttp, AFileThatIsNamedIsHeldToItsOwnType) {
+  if (page_files().empty()) GTEST_SKIP() << "built without Node.js";
+  EXPECT_EQ(get("/page/page.css", "text/css,*/*;q=0.1")->status, 200);
+  EXPECT_EQ(get("/page/page.css", "text/css")->status, 200);
+  expect_problem(get("/page/page.css", "text/javascript"), 406, "a script that is a style");
+  expect_problem(get("/page/page.css", "image/png"), 406, "nothing of the page");
 }
 
 // As these programs send them.

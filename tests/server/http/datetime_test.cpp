@@ -31,6 +31,14 @@ TEST(Datetime, AnEndMayBeOpen) {
   }
 }
 
+TEST(Datetime, AnIntervalThatEndsBeforeItBeginsIsRefused) {
+  EXPECT_THROW(of("2026-02-01/2026-01-01"), Problem);
+  EXPECT_THROW(of("2026-01-31T12:00:00Z/2026-01-31T11:59:59.5Z"), Problem);
+  EXPECT_NO_THROW(of("2026-01-31/2026-01-31"));
+  EXPECT_NO_THROW(of("2026-01-31/2026-01-31T00:00:00Z"));
+  EXPECT_NO_THROW(of("2026-01-31T12:00:00+01:00/2026-01-31T11:00:00Z"));
+}
+
 TEST(Datetime, WhatTheCalendarDoesNotHaveIsRefused) {
   for (const char* bad :
        {"", "..", "yesterday", "2026-02-30", "2025-02-29", "2026-13-01", "2026-1-1", "26-01-01",

@@ -78,6 +78,16 @@ TEST_F(HttpServerTest, OutputsMustBeThoseOfTheProcess) {
   const auto answer = submit(request.dump());
   expect_problem(answer, 400, "unknown output");
   EXPECT_EQ(json::parse(answer->body)["errors"][0]["pointer"], "/outputs/surprise");
+  const auto with_format = [&](const json& format) {
+    request["outputs"] = {{"sections", {{"format", format}}}};
+    return submit(request.dump());
+  };
+  const auto as_table = with_format({{"mediaType", "text/csv"}});
+  expect_problem(as_table, 400, "a form that outputs have not");
+  EXPECT_EQ(json::parse(as_table->body)["errors"][0]["pointer"],
+            "/outputs/sections/format/mediaType");
+  expect_problem(with_format({{"encoding", "base64"}}), 400, "an encoding");
+  EXPECT_EQ(with_format({{"mediaType", "application/json"}})->status, 201);
   request["outputs"] = {{"sections", json::object()}};
   EXPECT_EQ(submit(request.dump())->status, 201);
 }
