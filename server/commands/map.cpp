@@ -49,6 +49,19 @@ std::filesystem::path dem_file(const std::filesystem::path& named, const Options
   return {};
 }
 
+/// What a registered raster is was said when it was registered.
+void refuse_dem_options(const std::string& raster, const Options& options) {
+  std::vector<Fault> faults;
+  const auto refuse = [&](bool given, const char* name) {
+    if (given) faults.push_back({name, "is of a file: '" + raster + "' is a registered raster"});
+  };
+  refuse(options.epsg != 0, "--epsg");
+  refuse(!options.vertical_unit.empty(), "--vertical-unit");
+  refuse(!options.nodata.empty(), "--nodata");
+  if (faults.empty()) return;
+  throw Problem(Failure::invalid_request, "leave out what a registered DEM cannot be told", faults);
+}
+
 /// Registers the DEM of a request that names a file.
 /// @return the request with the DEM's id in its place
 std::string with_registered_dem(Service& service, const std::string& text, const Options& options) {
@@ -58,7 +71,10 @@ std::string with_registered_dem(Service& service, const std::string& text, const
   }
   const std::string& named = request.value->dem;
   const auto known = service.store.raster(named);
-  if (known && known->removed.empty()) return text;
+  if (known && known->removed.empty()) {
+    refuse_dem_options(named, options);
+    return text;
+  }
   const auto file = dem_file(named, options);
   if (file.empty()) {
     throw Problem(Failure::invalid_request, "there is no such DEM",

@@ -133,6 +133,16 @@ TEST_F(CommandLine, ADemBesideTheRequestIsFoundAndItsCrsStated) {
       << missing.errors;
 }
 
+TEST_F(CommandLine, WhatAFileIsToldARegisteredDemIsNot) {
+  register_bank();
+  const Output output = run_leda(
+      {"map", region_file(bank_region()), "--data", data(), "--epsg", "2950", "--nodata", "0"});
+  EXPECT_EQ(output.exit_code, 2);
+  for (const char* part : {"--epsg: is of a file", "--nodata: is of a file"}) {
+    EXPECT_NE(output.errors.find(part), std::string::npos) << output.errors;
+  }
+}
+
 TEST_F(CommandLine, AMapIsMadeComparedAndExported) {
   register_bank();
   json request = bank_region();

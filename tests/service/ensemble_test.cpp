@@ -153,6 +153,8 @@ TEST_F(EnsembleOfABank, ComesOverHttpAsAJobOfItsMembers) {
   const std::string job = json::parse(accepted->body)["jobID"];
   const std::string ensemble_path = "/jobs/" + job + "/sections/bank/ensemble";
   EXPECT_EQ(server.client().Get(ensemble_path)->status, 404);
+  EXPECT_EQ(server.client().Get("/jobs/" + job + "/members?f=csv")->status, 404)
+      << "those that ended so far would look like all";
   ASSERT_EQ(server.wait_for_job(job)["status"], "successful");
   const json document = server.get(ensemble_path);
   EXPECT_EQ(document["ended_by"], "half-width");

@@ -35,6 +35,11 @@ Answer get_members(Site& site, const Call& call) {
   const db::Store& store = site.service.store;
   const auto job = job_status_or_problem(store, call.captured[0]);
   const auto ensemble = ensemble_or_problem(store, job);
+  if (!db::is_final(job.state)) {  // a table of those that ended would look like all of them
+    throw Problem(Failure::result_not_ready,
+                  "job " + job.id + " is " + db::to_string(job.state) + ": " + job.message +
+                      "; what its members say so far stands at sections/{name}/ensemble");
+  }
   const db::Turns::Turn turn(site.pages);
   Answer answer;
   answer.type = "text/csv";
