@@ -51,7 +51,7 @@ TEST_F(StudyOfABank, ComesOverHttpAsAJobWhoseResultsAreTheStudy) {
   const auto dry = server.client().Post(path, json{{"inputs", inputs()}, {"dryRun", true}}.dump(),
                                         "application/json");
   ASSERT_EQ(dry->status, 200) << dry->body;
-  const json& coarse = json::parse(dry->body)["sections"].at(0);
+  const json coarse = json::parse(dry->body)["sections"].at(0);
   EXPECT_NE(coarse["warnings"].dump().find("cells high"), std::string::npos) << coarse;
 
   const auto accepted =
