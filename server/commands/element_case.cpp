@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "server/documents/case_file.hpp"
+#include "server/documents/warning_lines.hpp"
 #include "solver/section/warnings.hpp"
 
 namespace leda::server {
@@ -96,17 +97,13 @@ std::optional<ElementCase> read_element_case(const ElementOptions& options) {
   for (const auto& fault : faults) fmt::print(stderr, "{}\n", fault);
   if (!peak) return {};
   const auto warnings = warnings_of({*found});
-  print_warnings(warnings);
+  fmt::print(stderr, "{}", warning_lines(warnings));
   return ElementCase{found->first, found->second, *peak, parsed.value->settings.resolution.cell_m,
                      warnings};
 }
 
 void print_faults(const std::string& command, const std::vector<std::string>& faults) {
   for (const auto& fault : faults) fmt::print(stderr, "leda {}: {}\n", command, fault);
-}
-
-void print_warnings(const std::vector<std::string>& warnings) {
-  for (const auto& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
 }
 
 bool write_text(const std::string& path, const std::string& text) {

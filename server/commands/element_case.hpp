@@ -38,9 +38,6 @@ std::optional<ElementCase> read_element_case(const ElementOptions& options);
 /// Prints faults of a command, each on its line: "leda dss: ...".
 void print_faults(const std::string& command, const std::vector<std::string>& faults);
 
-/// Prints warnings to stderr, each on its line: "warning: ...".
-void print_warnings(const std::vector<std::string>& warnings);
-
 /// Writes a file, or standard output where the path is empty or "-".
 /// @return false where it could not be written, which is told on stderr
 bool write_text(const std::string& path, const std::string& text);

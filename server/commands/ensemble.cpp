@@ -10,6 +10,7 @@
 #include "server/commands/progress_line.hpp"
 #include "server/documents/ensemble_case.hpp"
 #include "server/documents/member_warnings.hpp"
+#include "server/documents/warning_lines.hpp"
 #include "server/drawings/ensemble_drawing.hpp"
 #include "server/jobs/ensemble_folder.hpp"
 #include "server/jobs/executors/local_executor.hpp"

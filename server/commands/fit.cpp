@@ -9,6 +9,7 @@
 #include "server/commands/element_case.hpp"
 #include "server/commands/exit_code.hpp"
 #include "server/commands/fit_report.hpp"
+#include "server/documents/warning_lines.hpp"
 #include "solver/element_test/energy_curve.hpp"
 #include "solver/section/warnings.hpp"
 
@@ -134,9 +135,9 @@ int run(const FitOptions& options) {
   } else {
     print_fits(fits, options);
   }
-  print_warnings(fits.urmi.warnings);
-  print_warnings(fits.strain_95.warnings);
-  print_warnings(fits.warnings);
+  for (const auto* warnings : {&fits.urmi.warnings, &fits.strain_95.warnings, &fits.warnings}) {
+    fmt::print(stderr, "{}", warning_lines(*warnings));
+  }
   if (!options.out.empty() && !write_text(options.out, fit_table(fits, options))) return 2;
   if (!options.svg.empty() && !write_text(options.svg, fit_drawing(fits, options))) return 2;
   return 0;

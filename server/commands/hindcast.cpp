@@ -10,6 +10,7 @@
 #include "server/commands/progress_line.hpp"
 #include "server/documents/hindcast_document.hpp"
 #include "server/documents/member_warnings.hpp"
+#include "server/documents/warning_lines.hpp"
 #include "server/drawings/hindcast_drawing.hpp"
 #include "server/jobs/executors/local_executor.hpp"
 #include "server/jobs/hindcast_folder.hpp"

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "server/commands/commands.hpp"
-#include "server/commands/element_case.hpp"
 #include "server/commands/exit_code.hpp"
 #include "server/documents/case_file.hpp"
 #include "server/documents/screening_document.hpp"
+#include "server/documents/warning_lines.hpp"
 #include "solver/screening/site_material.hpp"
 #include "solver/section/warnings.hpp"
 
@@ -143,7 +143,7 @@ int run(const ScreenOptions& options) {
   const auto screened = options.site_file.empty() ? screen_case_file(options.case_file)
                                                   : screen_site_file(options.site_file);
   if (!screened) return 2;
-  print_warnings(screened->warnings);
+  fmt::print(stderr, "{}", warning_lines(screened->warnings));
   json document = to_document(screened->result);
   document["warnings"] = screened->warnings;
   if (options.as_json || isatty(STDOUT_FILENO) == 0)

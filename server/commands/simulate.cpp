@@ -14,6 +14,7 @@
 #include "server/commands/folder_option.hpp"
 #include "server/commands/progress_line.hpp"
 #include "server/documents/result_document.hpp"
+#include "server/documents/warning_lines.hpp"
 #include "server/run/interrupt_signals.hpp"
 #include "server/run/run_folder.hpp"
 
@@ -54,7 +55,7 @@ void print_summary(const SectionResult& r, const std::filesystem::path& out) {
              r.simulated_s, r.run_time_s);
   fmt::print("{} particles, {} steps, {:.1f} ns a particle and step\n", r.particles, r.steps,
              r.ns_per_particle_step);
-  for (const std::string& warning : r.warnings) fmt::print("warning: {}\n", warning);
+  fmt::print("{}", warning_lines(r.warnings));
   fmt::print("{}\n", (out / "result.json").string());
 }
 

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "server/documents/member_warnings.hpp"
 #include "server/documents/or_null.hpp"
+#include "server/documents/warning_lines.hpp"
+#include "solver/section/gathered_warnings.hpp"
 #include "solver/section/warnings.hpp"
 
 namespace leda::server {

@@ -8,6 +8,7 @@
 
 #include "server/documents/member_warnings.hpp"
 #include "server/documents/or_null.hpp"
+#include "server/documents/warning_lines.hpp"
 #include "solver/hindcast/weights.hpp"
 
 namespace leda::server {

@@ -93,10 +93,4 @@ std::vector<std::string> hindcast_warnings(const HindcastFile& file,
   return lines_of(of_slides);
 }
 
-std::string warning_lines(const std::vector<std::string>& warnings) {
-  std::string lines;
-  for (const std::string& warning : warnings) lines += "warning: " + warning + "\n";
-  return lines;
-}
-
 }  // namespace leda::server

@@ -29,7 +29,4 @@ std::vector<std::string> hindcast_warnings(const HindcastFile& file,
                                            const std::vector<HindcastRow>& rows,
                                            std::size_t members);
 
-/// "warning: TEXT", a line each.
-std::string warning_lines(const std::vector<std::string>& warnings);
-
 }  // namespace leda::server

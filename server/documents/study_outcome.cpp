@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "server/documents/member_warnings.hpp"
 #include "server/documents/study_document.hpp"
 #include "server/documents/study_setting.hpp"
+#include "server/documents/warning_lines.hpp"
 #include "solver/section/gathered_warnings.hpp"
 #include "solver/section/warnings.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "server/documents/member_warnings.hpp"
+#include "server/documents/warning_lines.hpp"
 #include "server/layers/summary.hpp"
 #include "solver/section/gathered_warnings.hpp"
 

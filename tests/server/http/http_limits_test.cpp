@@ -10,6 +10,16 @@
 namespace leda::server {
 namespace {
 
+/// A server with other limits than the fixture's.
+struct ServerOfItsOwn {
+  explicit ServerOfItsOwn(const ServiceOptions& options) : service(folder.path(), options) {}
+
+  const tests::TemporaryFolder folder;
+  Service service;
+  Site site{service};
+  HttpServer http{site, {"127.0.0.1", 0}};
+};
+
 TEST_F(HttpServerTest, WhatIsNotThereIsToldAsAProblem) {
   for (const char* path : {"/nothing", "/jobs/none", "/processes/none", "/rasters/none",
                            "/collections/none", "/collections/sections/items/7",
@@ -136,15 +146,12 @@ TEST_F(HttpServerTest, EventStreamsLeaveRoomForOthers) {
 TEST_F(HttpServerTest, AFullQueueSaysWhenToComeAgain) {
   ServiceOptions few = options();
   few.limits.unfinished_jobs = 1;
-  const tests::TemporaryFolder own_folder;
-  Service own{own_folder.path(), few};
-  Site own_site{own};
-  HttpServer own_http{own_site, {"127.0.0.1", 0}};
+  ServerOfItsOwn own{few};
   db::JobRecord job;
   job.id = "open";
   job.process = "simulate-section";
-  own.store.add_job(job);
-  httplib::Client other(own_site.url);
+  own.service.store.add_job(job);
+  httplib::Client other(own.site.url);
   const auto answer = other.Post("/processes/simulate-section/execution", tests::simulate_request(),
                                  "application/json");
   expect_problem(answer, 429, "full queue");
@@ -155,64 +162,55 @@ TEST_F(HttpServerTest, ADryRunIsUnderTheLimitsOfJobs) {
   ServiceOptions few = options();
   few.limits.unfinished_jobs = 1;
   few.limits.layouts = 1;
-  const tests::TemporaryFolder own_folder;
-  Service own{own_folder.path(), few};
-  Site own_site{own};
-  HttpServer own_http{own_site, {"127.0.0.1", 0}};
+  ServerOfItsOwn own{few};
   auto request = json::parse(tests::simulate_request());
   request["dryRun"] = true;
   const auto ask = [&] {
-    return httplib::Client(own_site.url)
+    return httplib::Client(own.site.url)
         .Post("/processes/simulate-section/execution", request.dump(), "application/json");
   };
   EXPECT_EQ(ask()->status, 200);
   {
-    const auto slot = own.layouts.take();
+    const auto slot = own.service.layouts.take();
     expect_problem(ask(), 503, "another layout is going on");
   }
   db::JobRecord job;
   job.id = "open";
   job.process = "simulate-section";
-  own.store.add_job(job);
+  own.service.store.add_job(job);
   expect_problem(ask(), 429, "a job would not be taken either");
-  own.store.set_job_state("open", db::JobState::failed, "");
+  own.service.store.set_job_state("open", db::JobState::failed, "");
   EXPECT_EQ(ask()->status, 200);
 }
 
 TEST_F(HttpServerTest, ARetryIsUnderTheLimitOfUnfinishedJobs) {
   ServiceOptions few = options();
   few.limits.unfinished_jobs = 1;
-  const tests::TemporaryFolder own_folder;
-  Service own{own_folder.path(), few};
-  Site own_site{own};
-  HttpServer own_http{own_site, {"127.0.0.1", 0}};
+  ServerOfItsOwn own{few};
   db::JobRecord job;
   job.process = "simulate-section";
   for (const char* id : {"open", "failed"}) {
     job.id = id;
-    own.store.add_job(job);
+    own.service.store.add_job(job);
   }
-  own.store.set_sections("failed", {db::samples::section("AA'", 0)});
-  own.store.set_job_state("failed", db::JobState::failed, "");
-  httplib::Client other(own_site.url);
+  own.service.store.set_sections("failed", {db::samples::section("AA'", 0)});
+  own.service.store.set_job_state("failed", db::JobState::failed, "");
+  httplib::Client other(own.site.url);
   expect_problem(other.Post("/jobs/failed/retry"), 429, "a job is unfinished");
-  EXPECT_EQ(own.store.job("failed")->state, db::JobState::failed);
-  own.store.set_job_state("open", db::JobState::failed, "");
+  EXPECT_EQ(own.service.store.job("failed")->state, db::JobState::failed);
+  own.service.store.set_job_state("open", db::JobState::failed, "");
   EXPECT_EQ(other.Post("/jobs/failed/retry")->status, 200);
 }
 
 TEST_F(HttpServerTest, AJobOfTooManyParticlesIsRefused) {
   ServiceOptions few = options();
   few.limits.particles = 500;
-  const tests::TemporaryFolder own_folder;
-  Service own{own_folder.path(), few};
-  Site own_site{own};
-  HttpServer own_http{own_site, {"127.0.0.1", 0}};
-  const auto answer = httplib::Client(own_site.url)
+  ServerOfItsOwn own{few};
+  const auto answer = httplib::Client(own.site.url)
                           .Post("/processes/simulate-section/execution", tests::simulate_request(),
                                 "application/json");
   expect_problem(answer, 400, "580 particles");
-  EXPECT_EQ(own.store.count_jobs({}), 0);
+  EXPECT_EQ(own.service.store.count_jobs({}), 0);
 }
 
 TEST_F(HttpServerTest, AnErrorInsideTellsTheClientNothingOfIt) {
