@@ -161,6 +161,11 @@ bool Store::set_job_state(const std::string& id, JobState state, const std::stri
 
 void Store::dismiss_job(const std::string& id) {
   connection_->write([&](Database& database) {
+    Query(database,
+          "DELETE FROM zones WHERE job_id IN "
+          "(SELECT id FROM jobs WHERE id = ? AND state IN ('accepted', 'running'))")
+        .with(id)
+        .run();
     change_state(database, id, JobState::dismissed, "dismissed");
     const std::string reason = "the job was dismissed";
     Query(database,

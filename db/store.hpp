@@ -88,6 +88,8 @@ class Store {
   /// A dismissed job stays dismissed until it is accepted again; false where that kept it.
   bool set_job_state(const std::string& id, JobState state, const std::string& message);
   /// The job is dismissed, and with it all of its sections that wait or run, with their tries.
+  /// Where it had not ended it keeps no zones: they would be those of an earlier end, or of half an
+  /// end.
   void dismiss_job(const std::string& id);
   /// The failed sections of a job wait again and the job is accepted; how many sections wait now.
   /// Nothing changes where that is none.
@@ -148,7 +150,8 @@ class Store {
   std::optional<std::string> result_document(std::int64_t section) const;
 
   // Zones of a job
-  /// Replaces the job's zones. StoreError where a zone names a section the job does not have.
+  /// Replaces the job's zones; a dismissed job gets none. StoreError where a zone names a section
+  /// the job does not have.
   void set_zones(const std::string& job, const std::vector<Zone>& zones);
   std::vector<ZoneRecord> zones(const std::string& job) const;
   std::vector<ZoneRecord> zone_page(ZoneLayer layer, const PageFilter& filter) const;

@@ -83,6 +83,8 @@ std::vector<ZoneRecord> zones_from(Database& database, Query& rows) {
 
 void Store::set_zones(const std::string& job, const std::vector<Zone>& zones) {
   connection_->write([&](Database& database) {
+    Query dismissed(database, "SELECT 1 FROM jobs WHERE id = ? AND state = 'dismissed'");
+    if (dismissed.with(job).next()) return;
     Query(database, "DELETE FROM zones WHERE job_id = ?").with(job).run();
     for (std::size_t i = 0; i < zones.size(); ++i)
       insert_zone(database, job, static_cast<int>(i), zones[i]);

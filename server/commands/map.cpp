@@ -9,6 +9,7 @@
 #include "server/commands/progress_line.hpp"
 #include "server/commands/run_options.hpp"
 #include "server/documents/execute_options.hpp"
+#include "server/documents/process_ids.hpp"
 #include "server/documents/region_request.hpp"
 #include "server/http/handlers/section_document.hpp"
 #include "server/jobs/service.hpp"
@@ -17,6 +18,8 @@
 #include "server/layers/section_table.hpp"
 #include "server/operate/logging.hpp"
 #include "server/operate/problem.hpp"
+#include "server/run/interrupt_signals.hpp"
+#include "server/run/run_folder.hpp"
 
 namespace leda::server {
 namespace {
@@ -95,14 +98,34 @@ std::string with_registered_dem(Service& service, const std::string& text, const
   return document.dump();
 }
 
-/// Waits for the end of a job.
+/// The job of this very request where it is unfinished: an earlier command was interrupted, and the
+/// service has taken the job up.
+/// @return empty where there is none
+std::string unfinished_job_of(const db::Store& store, const std::string& request) {
+  for (const auto& unfinished : store.unfinished_jobs()) {
+    if (unfinished.process != map_region_id) continue;
+    if (store.job(unfinished.id).value().request == request) return unfinished.id;
+  }
+  return "";
+}
+
+/// Goes on with the unfinished job of a request, or submits it. @return the job's id
+std::string job_of(Service& service, const std::string& request) {
+  const std::string unfinished = unfinished_job_of(service.store, request);
+  if (unfinished.empty()) return submit(service, *find_process(map_region_id), request, "").job.id;
+  fmt::print(stderr, "goes on with job {}, which is of the same request and unfinished\n",
+             unfinished);
+  return unfinished;
+}
+
+/// Waits for the end of a job, or for a signal.
 db::JobStatus follow(const Service& service, const std::string& id) {
   ProgressLine line;
   for (;;) {
     auto job = job_status_or_problem(service.store, id);
     const std::string so_far = fmt::format("{:3d} %  {}", job.progress, job.message);
     line.show(so_far);
-    if (db::is_final(job.state)) {
+    if (db::is_final(job.state) || InterruptSignals::arrived()) {
       line.end_with(so_far);
       return job;
     }
@@ -115,11 +138,15 @@ int map_region(const Options& options) {
   Service service(options.data, service_options(options.workers));
   const std::string request = with_registered_dem(service, read_whole(options.request), options);
   if (execute_options_of(request).dry_run) {
-    fmt::print("{}\n", dry_run(service, *find_process("map-region"), request).dump(2));
+    fmt::print("{}\n", dry_run(service, *find_process(map_region_id), request).dump(2));
     return 0;
   }
-  const auto submitted = submit(service, *find_process("map-region"), request, "");
-  const auto job = follow(service, submitted.job.id);
+  const InterruptSignals signals;
+  const auto job = follow(service, job_of(service, request));
+  if (!db::is_final(job.state)) {
+    fmt::print(stderr, "interrupted; the same command continues job {}\n", job.id);
+    return int(ExitCode::interrupted);
+  }
   const auto sections = service.store.sections(job.id);
   if (options.json) {
     json rows = json::array();

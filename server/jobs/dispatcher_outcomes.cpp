@@ -185,7 +185,7 @@ void Dispatcher::finish(const OpenJob& job) {
   const std::string message = fault.empty() ? final_message(counts) : fault;
   if (fault.empty()) {
     store_.set_zones(id, zones);
-    keep_boxes(store_, job.record);
+    keep_zone_boxes(store_, job.record);
   }
   if (state == JobState::successful) store_.set_job_progress(id, 100, message);
   store_.set_job_state(id, state, message);

@@ -4,6 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "server/documents/process_ids.hpp"
 #include "server/documents/published_schema.hpp"
 #include "server/jobs/hindcast.hpp"
 #include "server/jobs/map_region.hpp"
@@ -96,19 +97,19 @@ nlohmann::json describe_hindcast() {
 }
 
 constexpr std::array table{
-    Process{"map-region", "Map the hazard of a region",
+    Process{map_region_id, "Map the hazard of a region",
             "Cuts sections from a DEM, simulates them and joins retrogression and runout to "
             "release and runout zones",
             open_region, describe_region},
-    Process{"simulate-section", "Simulate one section",
+    Process{simulate_section_id, "Simulate one section",
             "Runs one case through the material point method: retrogression and runout",
             open_section, describe_section},
-    Process{"resolution-study", "Error against run time",
+    Process{resolution_study_id, "Error against run time",
             "Runs one case over cell sizes, particles per cell, time steps and seeds: the error "
             "and the run time of every setting, the fastest one within a wanted error, and how far "
             "the answer depends on each",
             open_study, describe_study, study_results},
-    Process{"hindcast", "What past slides teach",
+    Process{hindcast_id, "What past slides teach",
             "Runs past slides over their uncertain inputs and weighs members by what was observed: "
             "the shared inputs afterwards, each slide predicted from the others, and whether the "
             "weights can be trusted",

@@ -145,7 +145,11 @@ Service::Service(const std::filesystem::path& data_folder, const ServiceOptions&
                  {[this](const SectionResult& result) { metrics.count_run(result); },
                   [this](int runs) { metrics.count_restarts(runs); }}) {
   // Jobs of an older Leda, and one whose server was killed between two lines of submit().
-  for (const auto& id : store.jobs_without_boxes()) keep_boxes(store, store.job_status(id).value());
+  for (const auto& id : store.jobs_without_boxes()) {
+    const auto job = store.job_status(id).value();
+    keep_section_boxes(store, job);
+    keep_zone_boxes(store, job);
+  }
   dispatcher.start();
 }
 
@@ -171,7 +175,7 @@ Submitted submit(Service& service, const Process& process, const std::string& re
   job.created = job.updated = db::utc_now();
   service.store.add_job(job);
   service.store.set_sections(job.id, sections);
-  keep_boxes(service.store, job);
+  keep_section_boxes(service.store, job);
   service.dispatcher.add(job.id);
   log_info(job.id, "accepted process={} runs={} name={}", process.id, sections.size(),
            in_quotes(job.name));

@@ -142,24 +142,38 @@ void add_box(std::vector<db::FeatureBox>& boxes, std::int64_t id, const MapLine&
   if (!degrees.empty()) boxes.push_back({id, profiles::box_around(degrees)});
 }
 
-void keep_boxes(db::Store& store, const db::JobStatus& job, const ToCrs84& to_crs84) {
-  std::vector<db::FeatureBox> sections, zones;
-  db::PageFilter all;
-  all.job = job.id;
-  all.limit = std::numeric_limits<int>::max();
+void place_sections(db::Store& store, const std::string& job, const ToCrs84& to_crs84) {
+  std::vector<db::FeatureBox> boxes;
+  const db::PageFilter all{.job = job, .limit = std::numeric_limits<int>::max()};
   for (const auto& section : store.section_page(all)) {
-    add_box(sections, section.id, to_crs84(section.trace));
+    add_box(boxes, section.id, to_crs84(section.trace));
   }
-  for (const auto& zone : store.zones(job.id)) {
+  store.set_section_boxes(boxes);
+}
+
+void place_zones(db::Store& store, const std::string& job, const ToCrs84& to_crs84) {
+  std::vector<db::FeatureBox> boxes;
+  for (const auto& zone : store.zones(job)) {
     MapLine outlines;
     for (const MapPolygon& polygon : zone.zone.area) {
       const MapLine outline = to_crs84(polygon.outer);
       outlines.insert(outlines.end(), outline.begin(), outline.end());
     }
-    add_box(zones, zone.id, outlines);
+    add_box(boxes, zone.id, outlines);
   }
-  store.set_section_boxes(sections);
-  store.set_zone_boxes(zones);
+  store.set_zone_boxes(boxes);
+}
+
+/// Where the job has a DEM: a job is worth more than its place in a search by box.
+template <class Place>
+void place_or_tell(db::Store& store, const db::JobStatus& job, const Place& place) {
+  const int epsg = epsg_of(store, job);
+  if (epsg == 0) return;
+  try {
+    place(store, job.id, ToCrs84(epsg));
+  } catch (const profiles::ExportError& error) {
+    log_warning(job.id, "no boxes reason={}", in_quotes(error.what()));
+  }
 }
 
 }  // namespace
@@ -255,15 +269,12 @@ json schema_of(Collection collection) {
           {"properties", properties}};
 }
 
-void keep_boxes(db::Store& store, const db::JobStatus& job) {
-  const int epsg = epsg_of(store, job);
-  if (epsg == 0) return;
-  try {
-    keep_boxes(store, job, ToCrs84(epsg));
-  } catch (const profiles::ExportError& error) {
-    // A job is worth more than its place in a search by box.
-    log_warning(job.id, "no boxes reason={}", in_quotes(error.what()));
-  }
+void keep_section_boxes(db::Store& store, const db::JobStatus& job) {
+  place_or_tell(store, job, place_sections);
+}
+
+void keep_zone_boxes(db::Store& store, const db::JobStatus& job) {
+  place_or_tell(store, job, place_zones);
 }
 
 }  // namespace leda::server

@@ -36,9 +36,10 @@ db::Coverage coverage_of(const db::Store& store, Collection collection);
 /// JSON schema of a feature's properties.
 nlohmann::json schema_of(Collection collection);
 
-/// Keeps where the sections and zones of a job lie, so that pages find them by box. Needed after
-/// a layout and after zones were stored; a job without a DEM is left alone. What cannot be placed
-/// is told in the log.
-void keep_boxes(db::Store& store, const db::JobStatus& job);
+/// Keeps where the sections of a job lie, so that pages find them by box. Needed after a layout; a
+/// job without a DEM is left alone. What cannot be placed is told in the log.
+void keep_section_boxes(db::Store& store, const db::JobStatus& job);
+/// The same of its zones, after they were stored.
+void keep_zone_boxes(db::Store& store, const db::JobStatus& job);
 
 }  // namespace leda::server

@@ -5,6 +5,7 @@
 #include "profiles/place_result.hpp"
 #include "profiles/soil_along.hpp"
 #include "server/documents/member_warnings.hpp"
+#include "server/documents/process_ids.hpp"
 #include "server/documents/simulate_request.hpp"
 #include "server/layers/summary.hpp"
 #include "server/operate/problem.hpp"
@@ -74,7 +75,7 @@ JobEnsemble::JobEnsemble(const db::Store& store, std::variant<EnsembleCase, Regi
     : store_(&store), request_(std::move(request)) {}
 
 std::optional<JobEnsemble> JobEnsemble::of(const db::Store& store, const db::JobStatus& job) {
-  const bool is_case = job.process == "simulate-section", is_region = job.process == "map-region";
+  const bool is_case = job.process == simulate_section_id, is_region = job.process == map_region_id;
   if (!is_case && !is_region) return std::nullopt;
   const auto whole = store.job(job.id);
   if (!whole) return std::nullopt;

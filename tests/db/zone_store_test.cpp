@@ -84,6 +84,23 @@ TEST_F(ZoneStore, AFaultyZoneLeavesTheOldOnes) {
   EXPECT_EQ(zones[0].zone.kind, ZoneKind::release);
 }
 
+// It is dismissed while its zones are being made, or just after they were stored.
+TEST_F(ZoneStore, AJobThatIsDismissedBeforeItEndedHasNone) {
+  store.set_job_state("job-1", JobState::running, "");
+  store.set_zones("job-1", {zone(ZoneKind::release, {"S1"})});
+  store.dismiss_job("job-1");
+  EXPECT_TRUE(store.zones("job-1").empty());
+  store.set_zones("job-1", {zone(ZoneKind::release, {"S1"})});
+  EXPECT_TRUE(store.zones("job-1").empty());
+}
+
+TEST_F(ZoneStore, AJobThatIsDismissedAfterItEndedKeepsThem) {
+  store.set_zones("job-1", {zone(ZoneKind::release, {"S1"})});
+  store.set_job_state("job-1", JobState::successful, "");
+  store.dismiss_job("job-1");
+  EXPECT_EQ(store.zones("job-1").size(), 1U);
+}
+
 TEST_F(ZoneStore, EveryJobHasItsOwn) {
   store.add_job(samples::job("job-2"));
   store.set_zones("job-1", {zone(ZoneKind::release, {"S1"})});

@@ -190,6 +190,37 @@ TEST_F(CommandLine, AMapIsMadeComparedAndExported) {
   EXPECT_EQ(run_leda({"export", "none", "--data", data(), "--out", "x.gpkg"}).exit_code, 2);
 }
 
+// Ends a command by SIGINT as soon as one of its runs has begun.
+constexpr const char* interrupted_map = R"(
+  "$0" map "$1" --data "$2" --workers 1 &
+  until find "$2/runs" -name log.txt | grep -q . || ! kill -0 $!; do sleep 0.05; done
+  kill -INT $!
+  wait $!)";
+
+TEST_F(CommandLine, AMapThatWasInterruptedGoesOnWithTheSameCommand) {
+  register_bank();
+  json request = bank_region();
+  request["inputs"]["sections"] = json::array({request["inputs"]["sections"][0]});
+  request["inputs"]["resolution"]["cell_m"] = 1.5;
+  const std::string region = region_file(request);
+  const auto interrupted =
+      run_program({"bash", "-c", interrupted_map, LEDA_PROGRAM, region, data()});
+  EXPECT_EQ(interrupted->exit_code, 4) << interrupted->errors;
+  std::smatch told;
+  const std::regex continues("the same command continues job (\\S+)");
+  ASSERT_TRUE(std::regex_search(interrupted->errors, told, continues)) << interrupted->errors;
+
+  const Output map = run_leda({"map", region, "--data", data()});
+  EXPECT_EQ(map.exit_code, 0) << map.errors;
+  EXPECT_TRUE(map.text.ends_with("successful " + told[1].str() + "\n")) << map.text;
+  EXPECT_NE(map.errors.find("goes on with job " + told[1].str()), std::string::npos) << map.errors;
+
+  const Output anew = run_leda({"map", region, "--data", data()});
+  EXPECT_EQ(anew.exit_code, 0) << anew.errors;
+  EXPECT_EQ(anew.text.find(told[1].str()), std::string::npos)
+      << "a job that has ended is not meant";
+}
+
 // Standard error is free: who sends the JSON to a file sees there how far it is.
 TEST_F(CommandLine, ProgressIsToldBesideJson) {
   register_bank();

@@ -43,7 +43,8 @@ class Antimeridian : public HttpServerTest {
                    {815e3, northing}},
                   {}}};
     service.store.set_zones("fiji", {zone});
-    keep_boxes(service.store, job);
+    keep_section_boxes(service.store, job);
+    keep_zone_boxes(service.store, job);
   }
 
   std::set<std::string> inside(const std::string& bbox) {
