@@ -1,13 +1,12 @@
 #include <ogr_spatialref.h>
-#include <ogr_srs_api.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 
 #include "profiles/dem.hpp"
 #include "profiles/export_layers.hpp"
 #include "profiles/gdal_error.hpp"
+#include "profiles/thread_cache.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -34,13 +33,8 @@ struct ToCrs84::Transformation {
   std::unique_ptr<OGRCoordinateTransformation> transform;
 };
 
-// To make one asks PROJ's database, some 12 ms; a page of features takes less than 1. PROJ's
-// objects belong to the thread that made them, so each thread keeps its own.
 std::shared_ptr<const ToCrs84::Transformation> ToCrs84::known(int epsg) {
-  // Makes GDAL's own part of the thread stand before the map, and so outlive it.
-  OSRGetPROJEnableNetwork();
-  thread_local std::map<int, std::shared_ptr<const Transformation>> made;
-  auto& found = made[epsg];
+  auto& found = kept_by_thread<Transformation>(epsg);
   if (found) return found;
   auto transformation = std::make_shared<Transformation>();
   OGRSpatialReference from, to;

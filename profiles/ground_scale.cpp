@@ -6,15 +6,14 @@
 
 #include <fmt/format.h>
 #include <ogr_spatialref.h>
-#include <ogr_srs_api.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "profiles/dem.hpp"
 #include "profiles/gdal_error.hpp"
+#include "profiles/thread_cache.hpp"
 
 namespace leda::profiles {
 namespace {
@@ -61,12 +60,9 @@ struct GroundScale::Transformation {
 
 double Stretch::departure() const { return std::max(std::abs(least - 1), std::abs(most - 1)); }
 
-// Asks PROJ's database, some 12 ms: once a thread and system.
 GroundScale::GroundScale(int epsg) {
   initialize_gdal();
-  OSRGetPROJEnableNetwork();  // makes GDAL's own part of the thread outlive the map
-  thread_local std::map<int, std::shared_ptr<const Transformation>> made;
-  auto& known = made[epsg];
+  auto& known = kept_by_thread<Transformation>(epsg);
   transformation_ = known;
   if (known) return;
   const QuietGdal quiet;
