@@ -66,8 +66,9 @@ TEST_F(WorkerLimits, ASectionThatNeedsMoreMemoryThanItMayUseFailsForMemory) {
 }
 
 TEST_F(WorkerLimits, ASectionThatTakesLongerThanItMayFails) {
-  start({"--workers", "1", "--run-time-limit-s", "1"});
-  submit(one_section(0.5));
+  // Time in which even a sanitized worker on a busy machine begins, and none ends.
+  start({"--workers", "1", "--run-time-limit-s", "5"});
+  submit(one_section(0.2));
   EXPECT_EQ(server->wait_for_job(job)["status"], "failed");
   const json failed = section(0);
   EXPECT_EQ(failed["state"], "failed");
