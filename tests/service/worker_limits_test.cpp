@@ -68,7 +68,7 @@ TEST_F(WorkerLimits, ASectionThatNeedsMoreMemoryThanItMayUseFailsForMemory) {
 TEST_F(WorkerLimits, ASectionThatTakesLongerThanItMayFails) {
   // Time in which even a sanitized worker on a busy machine begins, and none ends.
   start({"--workers", "1", "--run-time-limit-s", "5"});
-  submit(one_section(0.2));
+  submit(one_section(0.35));
   EXPECT_EQ(server->wait_for_job(job)["status"], "failed");
   const json failed = section(0);
   EXPECT_EQ(failed["state"], "failed");
