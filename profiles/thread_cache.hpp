@@ -15,8 +15,10 @@ std::shared_ptr<const Kept>& kept_by_thread(int epsg) {
   // GDAL has a PROJ context for each thread and asks for it whenever a system is destroyed. Asked
   // once before the map stands, it outlives the map; else the map's end would make another, which
   // nobody frees.
-  static_cast<void>(OGRSpatialReference());
-  thread_local std::map<int, std::shared_ptr<const Kept>> kept;
+  thread_local auto kept = [] {
+    static_cast<void>(OGRSpatialReference());
+    return std::map<int, std::shared_ptr<const Kept>>();
+  }();
   return kept[epsg];
 }
 

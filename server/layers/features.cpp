@@ -164,7 +164,7 @@ void place_zones(db::Store& store, const std::string& job, const ToCrs84& to_crs
   store.set_zone_boxes(boxes);
 }
 
-/// Where the job has a DEM: a job is worth more than its place in a search by box.
+/// Leaves a job without a DEM alone.
 template <class Place>
 void place_or_tell(db::Store& store, const db::JobStatus& job, const Place& place) {
   const int epsg = epsg_of(store, job);
@@ -172,6 +172,7 @@ void place_or_tell(db::Store& store, const db::JobStatus& job, const Place& plac
   try {
     place(store, job.id, ToCrs84(epsg));
   } catch (const profiles::ExportError& error) {
+    // A job is worth more than its place in a search by box.
     log_warning(job.id, "no boxes reason={}", in_quotes(error.what()));
   }
 }
